@@ -1,0 +1,29 @@
+# Wraps the modules of VtkShadowsModules.cmake into the Python package `vtkshadows`.
+# The build tree is usable as it is: PYTHONPATH=build/lib/python3/dist-packages.
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+vtk_module_wrap_python(
+  MODULES ${vtkshadows_modules}
+  PYTHON_PACKAGE vtkshadows
+  MODULE_DESTINATION "${vtkshadows_python_dir}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  CMAKE_DESTINATION "${vtkshadows_cmake_dir}"
+  INSTALL_EXPORT ${vtkshadows_export}
+  INSTALL_HEADERS OFF
+  BUILD_STATIC OFF
+  # Also the name of a header in include/: not Python, which would hide Python.h.
+  TARGET VtkShadows::PassesPython)
+
+# The package's own files lie beside the wrapped modules, in the build tree as where it is installed.
+set(package_outputs)
+foreach (file IN ITEMS __init__.py py.typed)
+  set(source "${CMAKE_CURRENT_SOURCE_DIR}/Python/vtkshadows/${file}")
+  set(output "${VTKSHADOWS_PYTHONPATH}/vtkshadows/${file}")
+  add_custom_command(
+    OUTPUT "${output}"
+    DEPENDS "${source}"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${source}" "${output}")
+  list(APPEND package_outputs "${output}")
+  install(FILES "${source}" DESTINATION "${vtkshadows_python_dir}/vtkshadows" COMPONENT python)
+endforeach ()
+add_custom_target(vtkshadows_python_package ALL DEPENDS ${package_outputs})

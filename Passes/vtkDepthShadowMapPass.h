@@ -1,0 +1,86 @@
+/**
+ * @class   vtkDepthShadowMapPass
+ * @brief   visibility by a depth map, compared with the receiver's own plane
+ *
+ * Technique "depth-map", form lookup: casters are drawn from the light into a map of depths; while a
+ * receiver is shaded, its position is compared with the four texels around it and the four answers
+ * are blended (2x2 percentage-closer filtering). One view a light: directional and spot lights, and
+ * a point light that stands outside its casters.
+ *
+ * The map is fitted in double to the casters that can shadow a receiver. Flat casters that have every
+ * receiver on their lit side (the floor under a scene) are left out of it. It is drawn again only if
+ * the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
+ *
+ * Bias is automatic: each texel's depth is compared at that texel's centre on the receiver's own
+ * plane there, with a slack of half a texel of the plane's slope plus the rounding bound of the
+ * position and of the map. There is no constant to tune.
+ *
+ * Limits: an edge is as sharp as the map's texels; a contact shadow thinner than half a texel
+ * of slope is lost. Embossed detail below a texel is not seen. Lines and points cast as wide as they
+ * are drawn, in texels.
+ *
+ * @par Reference
+ * Williams 1978 (depth maps); Reeves, Salesin and Cook: Rendering antialiased shadows with depth
+ * maps, SIGGRAPH 1987 (percentage-closer filtering); Isidoro: Shadow mapping, GDC 2006 (receiver
+ * plane); Holländer et al. and Dou et al. 2014 (adaptive bias).
+ *
+ * @sa vtkShadowPass vtkRayCastShadowPass
+ */
+#ifndef vtkDepthShadowMapPass_h
+#define vtkDepthShadowMapPass_h
+
+#include "vtkShadowTechniquePass.h"
+
+#include <memory> // for std::unique_ptr
+
+class VTKSHADOWSPASSES_EXPORT vtkDepthShadowMapPass : public vtkShadowTechniquePass
+{
+public:
+  static vtkDepthShadowMapPass* New();
+  vtkTypeMacro(vtkDepthShadowMapPass, vtkShadowTechniquePass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Width and height of each map in texels, 1 or more (default 2048). Above the driver's limit: an error
+   * at the next frame that names the limit, which is then used.
+   */
+  void SetResolution(int resolution);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  /**
+   * Maps drawn since this pass was made: grows only when a light, a caster or a fit changed.
+   */
+  vtkGetMacro(NumberOfMapBuilds, vtkIdType);
+
+  const char* GetTechniqueName() const override { return "depth-map"; }
+  VisibilityForm GetVisibilityForm() const override { return LOOKUP; }
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+
+protected:
+  vtkDepthShadowMapPass();
+  ~vtkDepthShadowMapPass() override;
+
+  bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
+  std::string GetLookupDeclarations() const override;
+  std::string GetLookupFunction() const override;
+  void SetLookupUniforms(vtkShaderProgram* program) override;
+  vtkShadowTextureArray* GetTextures() override;
+  std::string GetSamplerName() const override { return "shadowDepthMaps"; }
+
+  int Resolution = 2048;
+  vtkIdType NumberOfMapBuilds = 0;
+
+private:
+  vtkDepthShadowMapPass(const vtkDepthShadowMapPass&) = delete;
+  void operator=(const vtkDepthShadowMapPass&) = delete;
+
+  int ResolutionOfDriver();
+  void UpdateMap(const vtkShadowFrame& frame, int light, int slot);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,413 @@
+#include "vtkShadowCasterGeometry.h"
+
+#include "vtkActor.h"
+#include "vtkBitArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
+#if __has_include("vtkCompositePolyDataMapper2.h")
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMath.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkQuaternion.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace
+{
+
+using Geometry = vtkShadowCasterGeometry;
+
+// Protected members of VTK's classes that say how a mapper draws, by name of a derived class.
+struct GlyphAccess : vtkGlyph3DMapper
+{
+  static vtkDataArray* Mask(vtkGlyph3DMapper* m, vtkDataSet* d)
+  {
+    return (m->*(&GlyphAccess::GetMaskArray))(d);
+  }
+  static vtkDataArray* Index(vtkGlyph3DMapper* m, vtkDataSet* d)
+  {
+    return (m->*(&GlyphAccess::GetSourceIndexArray))(d);
+  }
+  static vtkDataArray* Orientation(vtkGlyph3DMapper* m, vtkDataSet* d)
+  {
+    return (m->*(&GlyphAccess::GetOrientationArray))(d);
+  }
+  static vtkDataArray* Scale(vtkGlyph3DMapper* m, vtkDataSet* d)
+  {
+    return (m->*(&GlyphAccess::GetScaleArray))(d);
+  }
+};
+
+struct SphereAccess : vtkOpenGLSphereMapper
+{
+  static const char* ScaleName(vtkOpenGLSphereMapper* m) { return m->*(&SphereAccess::ScaleArray); }
+};
+
+void AppendTriangle(Geometry& out, const glm::uvec3& t)
+{
+  const glm::vec3 &a = out.Vertices[t.x], &b = out.Vertices[t.y], &c = out.Vertices[t.z];
+  if (a != b && b != c && c != a)
+  {
+    out.Triangles.push_back(t);
+  }
+}
+
+void AppendFans(Geometry& out, vtkCellArray* cells, unsigned int base)
+{
+  auto it = vtk::TakeSmartPointer(cells->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    it->GetCurrentCell(size, ids);
+    for (vtkIdType i = 1; i + 1 < size; ++i)
+    {
+      AppendTriangle(out, base + glm::uvec3(ids[0], ids[i], ids[i + 1]));
+    }
+  }
+}
+
+void AppendStrips(Geometry& out, vtkCellArray* cells, unsigned int base)
+{
+  auto it = vtk::TakeSmartPointer(cells->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    it->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i + 2 < size; ++i)
+    {
+      const vtkIdType odd = i % 2;
+      AppendTriangle(out, base + glm::uvec3(ids[i], ids[i + 1 + odd], ids[i + 2 - odd]));
+    }
+  }
+}
+
+void AppendMesh(Geometry& out, vtkPolyData* mesh, const glm::dmat4& traceFromModel)
+{
+  vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
+  if (!points)
+  {
+    return;
+  }
+  const auto base = static_cast<unsigned int>(out.Vertices.size());
+  out.Vertices.reserve(base + points->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    out.Vertices.emplace_back(traceFromModel * glm::dvec4(p[0], p[1], p[2], 1.0));
+  }
+  AppendFans(out, mesh->GetPolys(), base);
+  AppendStrips(out, mesh->GetStrips(), base);
+  if (mesh->GetNumberOfLines() + mesh->GetNumberOfVerts() > 0)
+  {
+    out.Skipped = "lines and points";
+  }
+}
+
+void AppendDataSet(Geometry& out, vtkDataObject* data, const glm::dmat4& traceFromModel)
+{
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    AppendMesh(out, mesh, traceFromModel);
+  }
+  else if (auto* dataset = vtkDataSet::SafeDownCast(data))
+  {
+    vtkNew<vtkDataSetSurfaceFilter> surface;
+    surface->SetInputData(dataset);
+    surface->Update();
+    AppendMesh(out, surface->GetOutput(), traceFromModel);
+  }
+}
+
+vtkCompositeDataDisplayAttributes* AttributesOf(vtkMapper* mapper)
+{
+#if __has_include("vtkCompositePolyDataMapper2.h")
+  if (auto* composite2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  {
+    return composite2->GetCompositeDataDisplayAttributes();
+  }
+#endif
+#if VTK_VERSION_NUMBER >= 90300000000ULL
+  if (auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper))
+  {
+    return composite->GetCompositeDataDisplayAttributes();
+  }
+#endif
+  return nullptr;
+}
+
+// Blocks inherit their parent's visibility unless they have one of their own.
+void AppendTree(Geometry& out, vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
+  bool visible, const glm::dmat4& traceFromModel)
+{
+  if (attributes && attributes->HasBlockVisibility(data))
+  {
+    visible = attributes->GetBlockVisibility(data);
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    if (visible)
+    {
+      AppendDataSet(out, data, traceFromModel);
+    }
+    return;
+  }
+  auto it = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  it->VisitOnlyLeavesOff();
+  it->TraverseSubTreeOff();
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    AppendTree(out, it->GetCurrentDataObject(), attributes, visible, traceFromModel);
+  }
+}
+
+// Largest stretch of a matrix along its axes: what a sphere's radius is scaled by.
+double ScaleOf(const glm::dmat4& m)
+{
+  return std::max({ glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
+    glm::length(glm::dvec3(m[2])) });
+}
+
+void AppendSpheres(Geometry& out, vtkOpenGLSphereMapper* mapper, const glm::dmat4& traceFromModel)
+{
+  vtkPolyData* mesh = mapper->GetInput();
+  vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
+  if (!points)
+  {
+    return;
+  }
+  const char* name = SphereAccess::ScaleName(mapper);
+  vtkDataArray* radii = name ? mesh->GetPointData()->GetArray(name) : nullptr;
+  const double scale = ScaleOf(traceFromModel);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    const double radius = radii ? radii->GetComponent(i, 0) : mapper->GetRadius();
+    out.Spheres.emplace_back(glm::vec3(traceFromModel * glm::dvec4(p[0], p[1], p[2], 1.0)),
+      static_cast<float>(radius * scale));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Glyph instances, placed as vtkOpenGLGlyph3DMapper places them.
+class GlyphPlacer
+{
+public:
+  GlyphPlacer(vtkGlyph3DMapper* mapper, vtkDataSet* points)
+    : Mapper(mapper)
+    , Points(points)
+    , Mask(mapper->GetMasking() ? GlyphAccess::Mask(mapper, points) : nullptr)
+    , Index(GlyphAccess::Index(mapper, points))
+    , Orientation(GlyphAccess::Orientation(mapper, points))
+    , Scale(GlyphAccess::Scale(mapper, points))
+  {
+  }
+
+  bool IsMasked(vtkIdType i) const { return this->Mask && this->Mask->GetComponent(i, 0) == 0.0; }
+
+  int SourceOf(vtkIdType i, int sources) const
+  {
+    const int index = this->Index
+      ? static_cast<int>(
+          vtkMath::Norm(this->Index->GetTuple(i), this->Index->GetNumberOfComponents()))
+      : 0;
+    return vtkMath::ClampValue(index, 0, std::max(sources - 1, 0));
+  }
+
+  glm::dmat4 ModelFromGlyph(vtkIdType i) const
+  {
+    double p[3];
+    this->Points->GetPoint(i, p);
+    glm::dmat4 m = this->Orientation ? this->Rotation(i) : glm::dmat4(1.0);
+    m[3] = glm::dvec4(p[0], p[1], p[2], 1.0);
+    if (this->Mapper->GetScaling())
+    {
+      const glm::dvec3 scale = this->ScaleOf(i);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        m[axis] *= scale[axis] == 0.0 ? 1.0e-10 : scale[axis]; // VTK's own stand-in for zero
+      }
+    }
+    return m;
+  }
+
+private:
+  glm::dvec3 ScaleOf(vtkIdType i) const
+  {
+    glm::dvec3 scale(1.0);
+    const int mode = this->Mapper->GetScaleMode();
+    if (this->Scale && mode == vtkGlyph3DMapper::SCALE_BY_MAGNITUDE)
+    {
+      scale = glm::dvec3(
+        vtkMath::Norm(this->Scale->GetTuple(i), this->Scale->GetNumberOfComponents()));
+    }
+    else if (this->Scale && mode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS &&
+      this->Scale->GetNumberOfComponents() == 3)
+    {
+      const double* t = this->Scale->GetTuple3(i);
+      scale = glm::dvec3(t[0], t[1], t[2]);
+    }
+    if (this->Scale && this->Mapper->GetClamping() && mode != vtkGlyph3DMapper::NO_DATA_SCALING)
+    {
+      const double* range = this->Mapper->GetRange();
+      const double width = range[1] - range[0] == 0.0 ? 1.0 : range[1] - range[0];
+      scale = (glm::clamp(scale, range[0], range[1]) - range[0]) / width;
+    }
+    return scale * this->Mapper->GetScaleFactor();
+  }
+
+  glm::dmat4 Rotation(vtkIdType i) const
+  {
+    double o[4] = { 0.0, 0.0, 0.0, 0.0 };
+    this->Orientation->GetTuple(i, o);
+    const int mode = this->Mapper->GetOrientationMode();
+    if (mode == vtkGlyph3DMapper::ROTATION)
+    {
+      // About z, then x, then y, in degrees.
+      glm::dmat4 m = glm::rotate(glm::dmat4(1.0), glm::radians(o[2]), glm::dvec3(0, 0, 1));
+      m = glm::rotate(m, glm::radians(o[0]), glm::dvec3(1, 0, 0));
+      return glm::rotate(m, glm::radians(o[1]), glm::dvec3(0, 1, 0));
+    }
+    vtkQuaterniond q;
+    if (mode == vtkGlyph3DMapper::QUATERNION)
+    {
+      q.Set(o);
+    }
+    else if (o[1] != 0.0 || o[2] != 0.0)
+    {
+      // Half a turn about the bisector of the x axis and the direction.
+      const glm::dvec3 d(o[0], o[1], o[2]);
+      const glm::dvec3 half = glm::normalize(d + glm::dvec3(glm::length(d), 0.0, 0.0));
+      q.Set(0.0, half.x, half.y, half.z);
+    }
+    else if (o[0] < 0.0)
+    {
+      q.Set(0.0, 0.0, 1.0, 0.0);
+    }
+    double rows[3][3];
+    q.ToMatrix3x3(rows);
+    glm::dmat4 m(1.0);
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        m[column][row] = rows[row][column];
+      }
+    }
+    return m;
+  }
+
+  vtkGlyph3DMapper* Mapper;
+  vtkDataSet* Points;
+  vtkDataArray* Mask;
+  vtkDataArray* Index;
+  vtkDataArray* Orientation;
+  vtkDataArray* Scale;
+};
+
+void AppendGlyphsAt(
+  Geometry& out, vtkGlyph3DMapper* mapper, vtkDataSet* points, const glm::dmat4& traceFromModel)
+{
+  // Each source once, in its own coordinates; then a copy for every point.
+  if (mapper->GetUseSourceTableTree())
+  {
+    out.Skipped = "glyphs of a source tree";
+    return;
+  }
+  const int count = mapper->GetNumberOfInputConnections(1);
+  std::vector<Geometry> sources(count);
+  for (int i = 0; i < count; ++i)
+  {
+    AppendMesh(sources[i], mapper->GetSource(i), glm::dmat4(1.0));
+  }
+  const GlyphPlacer placer(mapper, points);
+  for (vtkIdType i = 0; count > 0 && i < points->GetNumberOfPoints(); ++i)
+  {
+    if (placer.IsMasked(i))
+    {
+      continue;
+    }
+    const Geometry& source = sources[placer.SourceOf(i, count)];
+    const glm::dmat4 traceFromGlyph = traceFromModel * placer.ModelFromGlyph(i);
+    const auto base = static_cast<unsigned int>(out.Vertices.size());
+    for (const glm::vec3& v : source.Vertices)
+    {
+      out.Vertices.emplace_back(traceFromGlyph * glm::dvec4(v, 1.0));
+    }
+    for (const glm::uvec3& t : source.Triangles)
+    {
+      out.Triangles.push_back(base + t);
+    }
+  }
+}
+
+void AppendGlyphs(Geometry& out, vtkGlyph3DMapper* mapper, const glm::dmat4& traceFromModel)
+{
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* points = vtkDataSet::SafeDownCast(input))
+  {
+    AppendGlyphsAt(out, mapper, points, traceFromModel);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        AppendGlyphsAt(out, mapper, block, traceFromModel);
+      }
+    }
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(
+  const vtkShadowScene::Piece& piece, const glm::dmat4& traceFromWorld)
+{
+  Geometry out;
+  const glm::dmat4 traceFromModel = traceFromWorld * piece.WorldFromModel;
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(piece.Mapper))
+  {
+    AppendSpheres(out, spheres, traceFromModel);
+  }
+  else if (piece.Mapper->IsA("vtkOpenGLStickMapper") || piece.Mapper->IsA("vtkPointGaussianMapper"))
+  {
+    out.Skipped = piece.Mapper->GetClassName();
+  }
+  else if (actor && actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    out.Skipped = "a wireframe or points representation";
+  }
+  else if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(piece.Mapper))
+  {
+    AppendGlyphs(out, glyphs, traceFromModel);
+  }
+  else
+  {
+    AppendTree(out, piece.Mapper->GetInputDataObject(0, 0), AttributesOf(piece.Mapper), true,
+      traceFromModel);
+  }
+  return out;
+}

@@ -1,0 +1,26 @@
+// The surface of a caster as triangles and spheres, from VTK's mappers: what rays (and, later, silhouettes)
+// need and rasterised techniques do not.
+#ifndef vtkShadowCasterGeometry_h
+#define vtkShadowCasterGeometry_h
+
+#include "vtkShadowSceneData.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <string>
+#include <vector>
+
+struct vtkShadowCasterGeometry
+{
+  std::vector<glm::vec3> Vertices;
+  std::vector<glm::uvec3> Triangles; // polygons as fans and strips, as VTK's mappers draw them
+  std::vector<glm::vec4> Spheres;    // centre, radius
+  std::string Skipped;               // what of the piece has no surface here; empty: nothing
+
+  // Extract `piece`, in the space of `traceFromWorld` (so that floats are relative to the scene).
+  static vtkShadowCasterGeometry Extract(
+    const vtkShadowScene::Piece& piece, const glm::dmat4& traceFromWorld);
+};
+
+#endif

@@ -1,0 +1,69 @@
+#include "vtkShadowDrawScope.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShadowOpenGL.h"
+#include "vtkShadowTextureArray.h"
+
+//------------------------------------------------------------------------------
+vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
+  const vtkShadowTextureArray& depth, int depthLayer, const vtkShadowTextureArray* colour,
+  int colourLayer)
+  : State(window->GetState())
+  , Viewport(State)
+  , Scissor(State)
+  , DepthMask(State)
+  , DepthFunc(State)
+  , ColorMask(State)
+  , ScissorTest(State, GL_SCISSOR_TEST)
+  , DepthTest(State, GL_DEPTH_TEST)
+  , Blend(State, GL_BLEND)
+  , CullFace(State, GL_CULL_FACE)
+  , Width(depth.Width())
+  , Height(depth.Height())
+  , HasColour(colour != nullptr)
+{
+  this->State->PushFramebufferBindings();
+  glGenFramebuffers(1, &this->Framebuffer);
+  this->State->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.Id(), 0, depthLayer);
+  GLenum target = colour ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+  if (colour)
+  {
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, target, colour->Id(), 0, colourLayer);
+  }
+  this->State->vtkglDrawBuffers(1, &target);
+  this->State->vtkglReadBuffer(target);
+  this->Complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+
+  this->State->vtkglViewport(0, 0, this->Width, this->Height);
+  this->State->vtkglDisable(GL_SCISSOR_TEST);
+  this->State->vtkglDisable(GL_BLEND);
+  this->State->vtkglEnable(GL_DEPTH_TEST);
+  this->State->vtkglDepthFunc(GL_LEQUAL);
+  this->State->vtkglDepthMask(GL_TRUE);
+  this->State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowDrawScope::~vtkShadowDrawScope()
+{
+  this->State->PopFramebufferBindings();
+  glDeleteFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDrawScope::Clear(const float rgba[4])
+{
+  const float farthest = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  if (this->HasColour)
+  {
+    glClearBufferfv(GL_COLOR, 0, rgba);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDrawScope::ReadColour(float* rgba) const
+{
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, rgba);
+}

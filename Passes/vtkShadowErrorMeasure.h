@@ -1,0 +1,101 @@
+/**
+ * @class   vtkShadowErrorMeasure
+ * @brief   how far a light's visibility is from the truth, in the current view
+ *
+ * @code
+ * vtkNew<vtkShadowErrorMeasure> error;
+ * error->Measure(renderer, light);
+ * error->GetMismatchPercent();
+ * @endcode
+ * The truth of a pixel is a ray from the receiver's own position there, so that a disagreement about which
+ * surface is seen cannot pass for one about shadow. Measured are the receiver pixels whose face looks
+ * toward the light (N.L above 0.02) and whose truth does not change between a ray epsilon and four times it;
+ * the latter are left out and counted.
+ * - **mismatch**: share of pixels whose visibility differs from the truth by more than 0.5;
+ * - **gross**: how many of those lie more than 2 px from any true shadow edge: false (acne, bars) and
+ *   missed (leaks, detached shadows).
+ *
+ * Needs Embree: without it Measure is an error.
+ *
+ * @sa vtkShadowPass vtkRayCastShadowPass
+ */
+#ifndef vtkShadowErrorMeasure_h
+#define vtkShadowErrorMeasure_h
+
+#include "vtkNew.h" // for the images
+#include "vtkObject.h"
+#include "vtkShadowsPassesModule.h" // for export macro
+
+class vtkImageData;
+class vtkLight;
+class vtkRenderer;
+
+class VTKSHADOWSPASSES_EXPORT vtkShadowErrorMeasure : public vtkObject
+{
+public:
+  static vtkShadowErrorMeasure* New();
+  vtkTypeMacro(vtkShadowErrorMeasure, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Measure `light` in the current view of `renderer`, whose pass must be a vtkShadowPass and whose window
+   * must have rendered. The light's own technique is measured. false, with an error, if it cannot be.
+   */
+  bool Measure(vtkRenderer* renderer, vtkLight* light);
+
+  ///@{
+  /**
+   * Pixels of the last measure. ReceiverPixels are those measured; ShadowPixels those of them in true shadow.
+   */
+  vtkGetMacro(ReceiverPixels, vtkIdType);
+  vtkGetMacro(ShadowPixels, vtkIdType);
+  vtkGetMacro(UncertainPixels, vtkIdType);
+  vtkGetMacro(MismatchPixels, vtkIdType);
+  vtkGetMacro(GrossFalsePixels, vtkIdType);
+  vtkGetMacro(GrossMissedPixels, vtkIdType);
+  vtkIdType GetGrossPixels() const { return this->GrossFalsePixels + this->GrossMissedPixels; }
+  ///@}
+
+  ///@{
+  /**
+   * Shares of ReceiverPixels in percent, and the mean of |visibility - truth| (0 to 1) over them.
+   */
+  vtkGetMacro(MismatchPercent, double);
+  vtkGetMacro(GrossPercent, double);
+  vtkGetMacro(MeanAbsoluteDifference, double);
+  ///@}
+
+  ///@{
+  /**
+   * Images of the last measure, of the renderer's size, origin bottom-left. Visibility and truth: one
+   * float, 0 to 1, background 1. Error map: RGB bytes: background white, lit light grey, shadow dark grey,
+   * not measured mid grey; false shadow orange, gross red; missed shadow sky blue, gross blue.
+   */
+  vtkImageData* GetVisibility();
+  vtkImageData* GetTruth();
+  vtkImageData* GetErrorMap();
+  ///@}
+
+protected:
+  vtkShadowErrorMeasure();
+  ~vtkShadowErrorMeasure() override;
+
+private:
+  vtkShadowErrorMeasure(const vtkShadowErrorMeasure&) = delete;
+  void operator=(const vtkShadowErrorMeasure&) = delete;
+
+  vtkIdType ReceiverPixels = 0;
+  vtkIdType ShadowPixels = 0;
+  vtkIdType UncertainPixels = 0;
+  vtkIdType MismatchPixels = 0;
+  vtkIdType GrossFalsePixels = 0;
+  vtkIdType GrossMissedPixels = 0;
+  double MismatchPercent = 0.0;
+  double GrossPercent = 0.0;
+  double MeanAbsoluteDifference = 0.0;
+  vtkNew<vtkImageData> Visibility;
+  vtkNew<vtkImageData> Truth;
+  vtkNew<vtkImageData> ErrorMap;
+};
+
+#endif

@@ -1,0 +1,38 @@
+// Between GLM (column-major) and VTK (row-major) matrices, in double.
+#ifndef vtkShadowMatrix_h
+#define vtkShadowMatrix_h
+
+#include "vtkMatrix4x4.h"
+
+#include <glm/mat4x4.hpp>
+
+namespace vtkShadowMatrix
+{
+
+inline glm::dmat4 ToGlm(vtkMatrix4x4* m)
+{
+  glm::dmat4 out;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      out[column][row] = m->GetElement(row, column);
+    }
+  }
+  return out;
+}
+
+inline void ToVtk(const glm::dmat4& m, vtkMatrix4x4* out)
+{
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      out->SetElement(row, column, m[column][row]);
+    }
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,723 @@
+#include "vtkShadowPass.h"
+
+#include "vtkDepthShadowMapPass.h"
+#include "vtkShadowMatrix.h"
+#include "vtkShadowMeasured.h"
+#include "vtkShadowReceiverBuffer.h"
+#include "vtkShadowSceneData.h"
+#include "vtkShadowedShadingPass.h"
+#ifdef VTKSHADOWS_WITH_EMBREE
+#include "vtkRayCastShadowPass.h"
+#endif
+
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkFloatArray.h"
+#include "vtkFrameBufferObjectBase.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkStringArray.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkShadowPass);
+
+vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOWS, Integer);
+vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOWS, Integer);
+
+namespace
+{
+
+const char* const NoTechnique = "none";
+
+// Faces nearer to edge-on than this are not measured: there, a rounding decides what is in shadow.
+constexpr double GrazingCosine = 0.02;
+
+struct LightSettings
+{
+  vtkWeakPointer<vtkLight> Light;
+  std::string Technique; // empty: the default one
+  double Strength = 1.0;
+  double Radius = 0.0;
+};
+
+// Bring a renderer's window and its props into a render state outside of a frame.
+class StateOfRenderer
+{
+public:
+  explicit StateOfRenderer(vtkRenderer* renderer)
+    : State(renderer)
+  {
+    vtkCollectionSimpleIterator it;
+    renderer->GetViewProps()->InitTraversal(it);
+    while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
+    {
+      if (prop->GetVisibility())
+      {
+        this->Props.push_back(prop);
+      }
+    }
+    this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+    this->State.SetFrameBuffer(nullptr);
+  }
+  const vtkRenderState* Get() const { return &this->State; }
+
+private:
+  vtkRenderState State;
+  std::vector<vtkProp*> Props;
+};
+
+void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
+{
+  if (!prop)
+  {
+    return;
+  }
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  prop->GetPropertyKeys()->Set(key, value ? 1 : 0);
+}
+
+}
+
+//------------------------------------------------------------------------------
+// Calls vtkShadowPass back from under its camera pass.
+class vtkShadowFramePass : public vtkRenderPass
+{
+public:
+  static vtkShadowFramePass* New();
+  vtkTypeMacro(vtkShadowFramePass, vtkRenderPass);
+  void Render(const vtkRenderState* s) override { this->Owner->RenderFrame(s); }
+  vtkShadowPass* Owner = nullptr;
+};
+vtkStandardNewMacro(vtkShadowFramePass);
+
+//------------------------------------------------------------------------------
+class vtkShadowPass::Internals
+{
+public:
+  std::vector<vtkSmartPointer<vtkShadowTechniquePass>> Owned;
+  std::vector<vtkShadowTechniquePass*> Techniques; // owned ones, or one that is borrowed
+  std::string Default = "depth-map";
+  std::vector<LightSettings> Lights;
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  vtkNew<vtkShadowScene> Scene;
+  vtkNew<vtkShadowedShadingPass> Shading;
+  vtkNew<vtkCameraPass> CameraPass;
+  vtkNew<vtkShadowFramePass> FramePass;
+  vtkShadowReceiverBuffer Receivers;
+
+  vtkShadowTechniquePass* Find(const std::string& name) const
+  {
+    for (vtkShadowTechniquePass* technique : this->Techniques)
+    {
+      if (name == technique->GetTechniqueName())
+      {
+        return technique;
+      }
+    }
+    return nullptr;
+  }
+
+  std::string KnownNames() const
+  {
+    std::string names;
+    for (vtkShadowTechniquePass* technique : this->Techniques)
+    {
+      names += std::string(technique->GetTechniqueName()) + ", ";
+    }
+    return names + NoTechnique;
+  }
+
+  LightSettings SettingsOf(const vtkLight* light) const
+  {
+    for (const LightSettings& settings : this->Lights)
+    {
+      if (settings.Light == light)
+      {
+        return settings;
+      }
+    }
+    return {};
+  }
+
+  LightSettings& EditSettings(vtkLight* light)
+  {
+    // Lights that are gone take their settings with them.
+    this->Lights.erase(std::remove_if(this->Lights.begin(), this->Lights.end(),
+                         [](const LightSettings& s) { return !s.Light; }),
+      this->Lights.end());
+    for (LightSettings& settings : this->Lights)
+    {
+      if (settings.Light == light)
+      {
+        return settings;
+      }
+    }
+    this->Lights.emplace_back();
+    this->Lights.back().Light = light;
+    return this->Lights.back();
+  }
+
+  vtkShadowFrame FrameOf(const vtkRenderState* s);
+  std::vector<vtkShadowedShadingPass::LightPlan> PlanLights(bool withStrength);
+  bool Begin(const vtkShadowFrame& frame, bool withStrength, bool always);
+  void End();
+};
+
+//------------------------------------------------------------------------------
+vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
+{
+  vtkShadowFrame frame;
+  frame.State = s;
+  frame.Renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  frame.Window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+  frame.Scene = this->Scene;
+  frame.Shading = this->Shading;
+  frame.Receivers = &this->Receivers;
+  if (s->GetFrameBuffer())
+  {
+    s->GetFrameBuffer()->GetLastSize(frame.Size);
+  }
+  else
+  {
+    frame.Renderer->GetTiledSizeAndOrigin(
+      &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
+  }
+  frame.ViewFromWorld =
+    vtkShadowMatrix::ToGlm(frame.Renderer->GetActiveCamera()->GetModelViewTransformMatrix());
+  return frame;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLights(
+  bool withStrength)
+{
+  std::vector<vtkShadowedShadingPass::LightPlan> plan;
+  for (vtkShadowTechniquePass* technique : this->Techniques)
+  {
+    technique->NumberOfSlots = 0;
+  }
+  const bool anyCaster = this->Scene->GetNumberOfCasters() > 0;
+  const bool anyReceiver = this->Scene->GetNumberOfReceivers() > 0;
+  const std::vector<vtkShadowScene::Light>& lights = this->Scene->GetLights();
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const LightSettings settings = this->SettingsOf(lights[i].Source);
+    this->Scene->SetLightRadius(i, settings.Radius);
+    vtkShadowedShadingPass::LightPlan entry;
+    entry.Strength = static_cast<float>(withStrength ? settings.Strength : 1.0);
+    if (anyCaster && anyReceiver && !lights[i].AtEye && entry.Strength > 0.0f)
+    {
+      entry.Technique = this->Find(settings.Technique.empty() ? this->Default : settings.Technique);
+    }
+    if (entry.Technique)
+    {
+      entry.Slot = entry.Technique->NumberOfSlots++;
+    }
+    plan.push_back(entry);
+  }
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+// Everything up to the shading: true if there is anything to shade with, and then End() must follow.
+bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStrength, bool always)
+{
+  this->Receivers.Invalidate();
+  this->Scene->Gather(frame.Renderer);
+  std::vector<vtkShadowedShadingPass::LightPlan> plan = this->PlanLights(withStrength);
+  const bool any = std::any_of(plan.begin(), plan.end(),
+    [](const vtkShadowedShadingPass::LightPlan& entry) { return entry.Technique != nullptr; });
+  if ((!any && !always) || frame.Size[0] < 1 || frame.Size[1] < 1)
+  {
+    return false;
+  }
+
+  this->Shading->SetPlan(plan);
+  this->Shading->Attach(frame);
+  bool failed = false;
+  for (vtkShadowTechniquePass* technique : this->Techniques)
+  {
+    std::vector<int> lights;
+    for (std::size_t i = 0; i < plan.size(); ++i)
+    {
+      if (plan[i].Technique == technique)
+      {
+        lights.push_back(static_cast<int>(i));
+      }
+    }
+    if (!lights.empty() && !technique->UpdateVisibility(frame, lights))
+    {
+      failed = true;
+      for (const int i : lights)
+      {
+        plan[i].Technique = nullptr;
+      }
+    }
+  }
+  if (failed)
+  {
+    this->Shading->SetPlan(plan);
+  }
+  this->Shading->ActivateTextures();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Internals::End()
+{
+  this->Shading->Detach();
+}
+
+//------------------------------------------------------------------------------
+vtkShadowPass::vtkShadowPass()
+  : Internal(new Internals)
+{
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkDepthShadowMapPass::New()));
+#ifdef VTKSHADOWS_WITH_EMBREE
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkRayCastShadowPass::New()));
+#endif
+  for (const auto& technique : this->Internal->Owned)
+  {
+    this->Internal->Techniques.push_back(technique);
+  }
+  this->Internal->FramePass->Owner = this;
+  this->Internal->CameraPass->SetDelegatePass(this->Internal->FramePass);
+}
+
+vtkShadowPass::~vtkShadowPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::UseTechnique(vtkShadowTechniquePass* technique)
+{
+  this->Internal->Owned.clear();
+  this->Internal->Techniques = { technique };
+  this->Internal->Default = technique->GetTechniqueName();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Render(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    vtkErrorMacro("The renderer " << renderer << " is in no OpenGL window: nothing is drawn. Add it to a "
+                                                 "vtkRenderWindow made by VTK's OpenGL2 backend.");
+    return;
+  }
+  this->NumberOfRenderedProps = 0;
+  window->MakeCurrent();
+  if (s->GetFrameBuffer())
+  {
+    this->Internal->CameraPass->Render(s);
+  }
+  else
+  {
+    // As vtkOpenGLRenderer does it for itself, stereo and tiles included.
+    this->UpdateCamera(renderer);
+    this->RenderFrame(s);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::RenderFrame(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+
+  // A selection shows ids, not light.
+  const bool shadowed = !renderer->GetSelector() &&
+    this->Internal->Begin(this->Internal->FrameOf(s), true, false);
+  if (this->Internal->Delegate)
+  {
+    this->Internal->Delegate->Render(s);
+    this->NumberOfRenderedProps = this->Internal->Delegate->GetNumberOfRenderedProps();
+  }
+  else
+  {
+    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    this->NumberOfRenderedProps = s->GetPropArrayCount();
+  }
+  if (shadowed)
+  {
+    this->Internal->End();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  for (vtkShadowTechniquePass* technique : this->Internal->Techniques)
+  {
+    technique->ReleaseGraphicsResources(w);
+  }
+  this->Internal->Shading->ReleaseGraphicsResources(w);
+  this->Internal->Receivers.Release();
+  if (this->Internal->Delegate)
+  {
+    this->Internal->Delegate->ReleaseGraphicsResources(w);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetTechnique(const std::string& name)
+{
+  if (name != NoTechnique && !this->Internal->Find(name))
+  {
+    vtkErrorMacro("Technique \"" << name << "\" is not known: use one of "
+                                 << this->Internal->KnownNames() << ". It stays \""
+                                 << this->Internal->Default << "\".");
+    return false;
+  }
+  if (name != this->Internal->Default)
+  {
+    this->Internal->Default = name;
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetTechnique() const
+{
+  return this->Internal->Default;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetLightTechnique(vtkLight* light, const std::string& name)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightTechnique(nullptr, \"" << name << "\"): give a vtkLight.");
+    return false;
+  }
+  if (!name.empty() && name != NoTechnique && !this->Internal->Find(name))
+  {
+    vtkErrorMacro("Technique \"" << name << "\" of light " << light << " is not known: use one of "
+                                 << this->Internal->KnownNames() << ".");
+    return false;
+  }
+  this->Internal->EditSettings(light).Technique = name;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetLightTechnique(vtkLight* light) const
+{
+  const std::string own = this->Internal->SettingsOf(light).Technique;
+  return own.empty() ? this->Internal->Default : own;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightStrength(vtkLight* light, double strength)
+{
+  if (!light || !std::isfinite(strength))
+  {
+    vtkErrorMacro(
+      "SetLightStrength(" << light << ", " << strength << "): give a vtkLight and 0 to 1.");
+    return;
+  }
+  this->Internal->EditSettings(light).Strength = std::min(std::max(strength, 0.0), 1.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowPass::GetLightStrength(vtkLight* light) const
+{
+  return this->Internal->SettingsOf(light).Strength;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightRadius(vtkLight* light, double radius)
+{
+  if (!light || !std::isfinite(radius) || radius < 0.0)
+  {
+    vtkErrorMacro(
+      "SetLightRadius(" << light << ", " << radius << "): give a vtkLight and 0 or more.");
+    return;
+  }
+  this->Internal->EditSettings(light).Radius = radius;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowPass::GetLightRadius(vtkLight* light) const
+{
+  return this->Internal->SettingsOf(light).Radius;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ClearLightSettings(vtkLight* light)
+{
+  std::vector<LightSettings>& all = this->Internal->Lights;
+  all.erase(std::remove_if(all.begin(), all.end(),
+              [light](const LightSettings& s) { return !light || s.Light == light; }),
+    all.end());
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::GetTechniqueNames(vtkStringArray* names)
+{
+  vtkNew<vtkShadowPass> pass;
+  names->Initialize();
+  for (vtkShadowTechniquePass* technique : pass->Internal->Techniques)
+  {
+    names->InsertNextValue(technique->GetTechniqueName());
+  }
+  names->InsertNextValue(NoTechnique);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTechniquePass* vtkShadowPass::GetTechniquePass(const std::string& name)
+{
+  return this->Internal->Find(name);
+}
+
+//------------------------------------------------------------------------------
+vtkDepthShadowMapPass* vtkShadowPass::GetDepthShadowMapPass()
+{
+  return vtkDepthShadowMapPass::SafeDownCast(this->Internal->Find("depth-map"));
+}
+
+//------------------------------------------------------------------------------
+vtkRayCastShadowPass* vtkShadowPass::GetRayCastShadowPass()
+{
+#ifdef VTKSHADOWS_WITH_EMBREE
+  return vtkRayCastShadowPass::SafeDownCast(this->Internal->Find("ray-cast"));
+#else
+  return nullptr;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetDelegatePass(vtkRenderPass* delegate)
+{
+  if (delegate != this->Internal->Delegate)
+  {
+    this->Internal->Delegate = delegate;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkShadowPass::GetDelegatePass()
+{
+  return this->Internal->Delegate;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowScene* vtkShadowPass::GetScene()
+{
+  return this->Internal->Scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetCastsShadows(vtkProp* prop, bool casts)
+{
+  SetKey(prop, vtkShadowPass::CASTS_SHADOWS(), casts);
+}
+
+void vtkShadowPass::SetReceivesShadows(vtkProp* prop, bool receives)
+{
+  SetKey(prop, vtkShadowPass::RECEIVES_SHADOWS(), receives);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index)
+{
+  auto* window = renderer
+    ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())
+    : nullptr;
+  if (!window || window->GetNeverRendered())
+  {
+    vtkErrorMacro("The renderer " << renderer
+                                  << " has no OpenGL window that has rendered: call Render() on its "
+                                     "window first.");
+    return false;
+  }
+  window->MakeCurrent();
+  index = 0;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* other = renderer->GetLights()->GetNextLight(it))
+  {
+    if (other == light && light->GetSwitch())
+    {
+      this->UpdateLightGeometry(renderer);
+      this->UpdateLights(renderer);
+      return true;
+    }
+    index += other->GetSwitch() ? 1 : 0;
+  }
+  vtkErrorMacro("The light " << light << " is not among the switched-on lights of renderer "
+                             << renderer << ": add it, or switch it on.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility)
+{
+  int index = 0;
+  if (!visibility || !this->FindLight(renderer, light, index))
+  {
+    return false;
+  }
+  Internals& my = *this->Internal;
+  const StateOfRenderer state(renderer);
+  const vtkShadowFrame frame = my.FrameOf(state.Get());
+  std::vector<float> values(static_cast<std::size_t>(frame.Size[0]) * frame.Size[1], 1.0f);
+  bool drawn = true;
+  if (my.Begin(frame, false, false))
+  {
+    drawn = my.Receivers.DrawVisibility(frame, index, values);
+    my.End();
+  }
+  if (!drawn)
+  {
+    vtkErrorMacro("The driver cannot hold a buffer of "
+      << frame.Size[0] << " x " << frame.Size[1]
+      << " float pixels to read visibility from. Use a smaller window.");
+    return false;
+  }
+  visibility->SetDimensions(frame.Size[0], frame.Size[1], 1);
+  visibility->AllocateScalars(VTK_FLOAT, 1);
+  std::copy(
+    values.begin(), values.end(), static_cast<float*>(visibility->GetScalarPointer()));
+  visibility->GetPointData()->GetScalars()->SetName("Visibility");
+  visibility->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowPass::TimeBareTracing(vtkRenderer* renderer)
+{
+  double seconds = 0.0;
+#ifdef VTKSHADOWS_WITH_EMBREE
+  vtkRayCastShadowPass* reference = this->GetRayCastShadowPass();
+  if (!reference || !renderer || !renderer->GetRenderWindow() ||
+    renderer->GetRenderWindow()->GetNeverRendered())
+  {
+    vtkErrorMacro("TimeBareTracing(" << renderer << "): call Render() on its window first.");
+    return seconds;
+  }
+  renderer->GetRenderWindow()->MakeCurrent();
+  const StateOfRenderer state(renderer);
+  const vtkShadowFrame frame = this->Internal->FrameOf(state.Get());
+  if (this->Internal->Begin(frame, true, true))
+  {
+    seconds = reference->TimeBareTracing(frame);
+    this->Internal->End();
+  }
+#endif
+  return seconds;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measured& measured)
+{
+#ifndef VTKSHADOWS_WITH_EMBREE
+  vtkErrorMacro("This build has no Embree, so there is no truth to measure light "
+    << light << " against: configure with -DVTKSHADOWS_WITH_EMBREE=ON.");
+  return false;
+#else
+  int index = 0;
+  if (!this->FindLight(renderer, light, index))
+  {
+    return false;
+  }
+  Internals& my = *this->Internal;
+  vtkSmartPointer<vtkRayCastShadowPass> reference = this->GetRayCastShadowPass();
+  if (!reference)
+  {
+    reference = vtkSmartPointer<vtkRayCastShadowPass>::New();
+  }
+  const StateOfRenderer state(renderer);
+  const vtkShadowFrame frame = my.FrameOf(state.Get());
+  const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
+  if (!my.Begin(frame, false, true))
+  {
+    vtkErrorMacro("The renderer " << renderer << " has a viewport of " << frame.Size[0] << " x "
+                                  << frame.Size[1] << " pixels: nothing to measure. Enlarge it.");
+    return false;
+  }
+
+  measured.Size[0] = frame.Size[0];
+  measured.Size[1] = frame.Size[1];
+  const vtkshadows::ShadowLight ray = my.Scene->GetLights()[index].Ray;
+  std::vector<float> nearby;
+  bool done = my.Receivers.Draw(frame) &&
+    reference->TraceVisibility(frame, my.Receivers, ray, 1.0, measured.Truth) &&
+    reference->TraceVisibility(frame, my.Receivers, ray, 4.0, nearby);
+  if (done)
+  {
+    const glm::dmat4 worldFromView = glm::inverse(frame.ViewFromWorld);
+    const double coneCosine = std::cos(glm::radians(ray.coneAngle));
+    measured.Roles.assign(pixels, vtkshadows::PixelRole::Background);
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      vtkShadowReceiverBuffer::Receiver receiver;
+      if (!my.Receivers.At(i, receiver))
+      {
+        continue;
+      }
+      const glm::dvec3 pointWC(worldFromView * glm::dvec4(receiver.PositionVC, 1.0));
+      const glm::dvec3 normalWC(worldFromView * glm::dvec4(receiver.NormalVC, 0.0));
+      const glm::dvec3 towardLight = ray.TowardLight(pointWC);
+      // A spot shines on nothing outside its cone.
+      const bool reached = ray.kind != vtkshadows::LightKind::Spot ||
+        -glm::dot(towardLight, ray.direction) >= coneCosine;
+      measured.Roles[i] = !reached || glm::dot(normalWC, towardLight) <= GrazingCosine
+        ? vtkshadows::PixelRole::Grazing
+        : std::abs(measured.Truth[i] - nearby[i]) > 0.5f ? vtkshadows::PixelRole::Uncertain
+                                                         : vtkshadows::PixelRole::Measured;
+    }
+    // A headlight is lit everywhere by definition, and its truth with it.
+    if (my.Scene->GetLights()[index].AtEye)
+    {
+      std::fill(measured.Truth.begin(), measured.Truth.end(), 1.0f);
+    }
+    done = my.Receivers.DrawVisibility(frame, index, measured.Visibility);
+  }
+  my.End();
+  if (!done)
+  {
+    vtkErrorMacro("Light " << light << " could not be measured: the driver or Embree gave no buffer of "
+                           << frame.Size[0] << " x " << frame.Size[1]
+                           << " pixels. Use a smaller window.");
+  }
+  return done;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Technique: " << this->Internal->Default << "\n";
+  os << indent << "Known techniques: " << this->Internal->KnownNames() << "\n";
+  os << indent << "Lights with settings: " << this->Internal->Lights.size() << "\n";
+  os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
+}

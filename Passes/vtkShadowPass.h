@@ -1,0 +1,195 @@
+/**
+ * @class   vtkShadowPass
+ * @brief   shadows for a renderer, by a technique chosen per light
+ *
+ * What a renderer is given:
+ * @code
+ * vtkNew<vtkShadowPass> shadows;
+ * renderer->SetPass(shadows);
+ * @endcode
+ * Every switched-on light that is not a headlight then casts shadows, by depth map unless another
+ * technique is named. Each light's colour is multiplied by that light's **visibility** (1 where the
+ * receiver sees the light, 0 where it does not); ambient light is left alone.
+ *
+ * The frame is otherwise VTK's own: without a delegate the renderer draws its opaque, translucent,
+ * volumetric and overlay props as it would without a pass (depth peeling, FXAA, SSAO and hidden
+ * line removal included). With a delegate, that pass draws the frame, and shadows reach whatever
+ * it draws through VTK's mappers. The pass may itself be the delegate of another, vtkSSAAPass say:
+ * masks and maps are then made at that pass's resolution.
+ *
+ * **Who casts, who receives.** Every visible opaque prop does both. Two keys in a prop's property
+ * keys say otherwise (SetCastsShadows and SetReceivesShadows write them):
+ * CASTS_SHADOWS 0: never a caster; 1: a caster even if translucent, then as if opaque.
+ * RECEIVES_SHADOWS 0: always lit.
+ * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop receives
+ * from techniques of the lookup form (depth-map) and is lit by those of the mask form (ray-cast).
+ *
+ * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
+ * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
+ * shadow is seen: it is always lit and costs nothing. A light that its technique cannot serve is
+ * left lit, with one warning that says why.
+ *
+ * Use one vtkShadowPass per renderer: one shared by several works but rebuilds its maps each time.
+ * vtkOpenGLFluidMapper ignores render passes and stays lit.
+ *
+ * @par Reference
+ * Williams, L.: Casting curved shadows on curved surfaces, SIGGRAPH 1978 (depth maps);
+ * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
+ *
+ * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkRayCastShadowPass vtkShadowErrorMeasure
+ */
+#ifndef vtkShadowPass_h
+#define vtkShadowPass_h
+
+#include "vtkRenderPass.h"
+#include "vtkShadowsPassesModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+class vtkDepthShadowMapPass;
+class vtkImageData;
+class vtkInformationIntegerKey;
+class vtkLight;
+class vtkProp;
+class vtkRayCastShadowPass;
+class vtkRenderer;
+class vtkShadowScene;
+class vtkShadowTechniquePass;
+class vtkStringArray;
+
+class VTKSHADOWSPASSES_EXPORT vtkShadowPass : public vtkRenderPass
+{
+public:
+  static vtkShadowPass* New();
+  vtkTypeMacro(vtkShadowPass, vtkRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+
+  ///@{
+  /**
+   * Technique of every light that has none of its own: "depth-map" (default), "ray-cast" or "none"
+   * (every light lit). An unknown name is an error that lists the known ones, and changes nothing.
+   */
+  bool SetTechnique(const std::string& name);
+  std::string GetTechnique() const;
+  ///@}
+
+  ///@{
+  /**
+   * Technique of one light, and back to the default one with an empty name.
+   */
+  bool SetLightTechnique(vtkLight* light, const std::string& name);
+  std::string GetLightTechnique(vtkLight* light) const;
+  ///@}
+
+  ///@{
+  /**
+   * Shadow strength of one light, 0 (lit everywhere, and nothing is computed) to 1 (default: no
+   * light where it is not seen). Clamped.
+   */
+  void SetLightStrength(vtkLight* light, double strength);
+  double GetLightStrength(vtkLight* light) const;
+  ///@}
+
+  ///@{
+  /**
+   * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
+   * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" softens by
+   * it; "depth-map" casts hard shadows whatever the radius.
+   */
+  void SetLightRadius(vtkLight* light, double radius);
+  double GetLightRadius(vtkLight* light) const;
+  ///@}
+
+  /**
+   * Forget technique, strength and radius of one light (nullptr: of all).
+   */
+  void ClearLightSettings(vtkLight* light);
+
+  /**
+   * Names of the techniques there are in this build, "none" included.
+   */
+  static void GetTechniqueNames(vtkStringArray* names);
+
+  ///@{
+  /**
+   * The techniques' own settings. GetRayCastShadowPass is nullptr in a build without Embree.
+   */
+  vtkDepthShadowMapPass* GetDepthShadowMapPass();
+  vtkRayCastShadowPass* GetRayCastShadowPass();
+  vtkShadowTechniquePass* GetTechniquePass(const std::string& name);
+  ///@}
+
+  ///@{
+  /**
+   * The pass that draws the frame; nullptr (default): as the renderer draws it without a pass.
+   */
+  void SetDelegatePass(vtkRenderPass* delegate);
+  vtkRenderPass* GetDelegatePass();
+  ///@}
+
+  /**
+   * Visibility of one light in the current view of `renderer`, as an image of the renderer's size:
+   * one float component, 0 (not seen) to 1 (seen, background, or no receiver), origin bottom-left.
+   * Strength is left out: it is the technique's own answer. The renderer's window must have rendered once
+   * and `renderer` must have this pass; light must be one of its lights. Renders the receivers into
+   * a buffer of its own, not into the window. false, with an error, if it could not be made.
+   */
+  bool GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility);
+
+  /**
+   * Seconds that a bare loop of Embree's rtcOccluded1 over all cores takes for the rays from the
+   * receivers in the current view of `renderer` to every light: the limit to hold
+   * vtkRayCastShadowPass::GetTraceSeconds against. 0 without Embree or without casters.
+   */
+  double TimeBareTracing(vtkRenderer* renderer);
+
+  /**
+   * What the last frame saw: lights, casters, receivers.
+   */
+  vtkShadowScene* GetScene();
+
+  ///@{
+  /**
+   * The keys that say whether a prop casts and receives (int, 0 or 1; default 1), and their setters.
+   * A part of an assembly has the assembly's keys: VTK hands them down.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOWS();
+  static vtkInformationIntegerKey* RECEIVES_SHADOWS();
+  static void SetCastsShadows(vtkProp* prop, bool casts);
+  static void SetReceivesShadows(vtkProp* prop, bool receives);
+  ///@}
+
+protected:
+  vtkShadowPass();
+  ~vtkShadowPass() override;
+
+  friend class vtkShadowErrorMeasure;
+  friend class vtkShadowTechniquePass;
+  friend class vtkShadowFramePass;
+
+  // Be the pass of one technique that is owned elsewhere.
+  void UseTechnique(vtkShadowTechniquePass* technique);
+
+  // The frame, once the camera is set up.
+  void RenderFrame(const vtkRenderState* s);
+
+  // Visibility and truth of `light` at every pixel, as vtkShadowErrorMeasure wants them.
+  struct Measured;
+  bool MeasureLight(vtkRenderer* renderer, vtkLight* light, Measured& measured);
+
+private:
+  vtkShadowPass(const vtkShadowPass&) = delete;
+  void operator=(const vtkShadowPass&) = delete;
+
+  bool FindLight(vtkRenderer* renderer, vtkLight* light, int& index);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,121 @@
+#include "vtkShadowReceiverBuffer.h"
+
+#include "vtkShadowDrawScope.h"
+#include "vtkShadowSceneData.h"
+#include "vtkShadowedShadingPass.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace
+{
+
+// The octahedral code of vtkShadowedShadingPassFS.glsl: 12 bits an axis, 1 added so that 0 is nothing
+// (Cigolle et al. 2014).
+glm::vec3 NormalOf(float code)
+{
+  const float bits = code - 1.0f;
+  const float row = std::floor(bits / 4096.0f);
+  const float u = (bits - row * 4096.0f) / 4095.0f * 2.0f - 1.0f;
+  const float v = row / 4095.0f * 2.0f - 1.0f;
+  glm::vec3 n(u, v, 1.0f - std::abs(u) - std::abs(v));
+  if (n.z < 0.0f)
+  {
+    const glm::vec2 folded((1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f),
+      (1.0f - std::abs(n.x)) * (n.y >= 0.0f ? 1.0f : -1.0f));
+    n.x = folded.x;
+    n.y = folded.y;
+  }
+  return glm::normalize(n);
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowReceiverBuffer::DrawStage(
+  const vtkShadowFrame& frame, int stage, const float background[4])
+{
+  using Format = vtkShadowTextureArray::Format;
+  this->Depth.Reserve(frame.Window, Format::Depth32F, frame.Size[0], frame.Size[1], 1);
+  this->Colour.Reserve(frame.Window, Format::RGBA32F, frame.Size[0], frame.Size[1], 1);
+  if (!this->Depth.Id() || !this->Colour.Id())
+  {
+    return false;
+  }
+  vtkShadowDrawScope target(frame.Window, this->Depth, 0, &this->Colour, 0);
+  if (!target.IsComplete())
+  {
+    return false;
+  }
+  target.Clear(background);
+  frame.Shading->DrawReceivers(frame, static_cast<vtkShadowedShadingPass::Stage>(stage));
+  this->Pixels.resize(std::size_t(4) * frame.Size[0] * frame.Size[1]);
+  target.ReadColour(this->Pixels.data());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowReceiverBuffer::Draw(const vtkShadowFrame& frame)
+{
+  if (!this->Drawn)
+  {
+    const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    this->Drawn = this->DrawStage(frame, vtkShadowedShadingPass::POSITIONS, nothing);
+  }
+  return this->Drawn;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowReceiverBuffer::DrawVisibility(
+  const vtkShadowFrame& frame, int light, std::vector<float>& visibility)
+{
+  this->Drawn = false;
+  const float lit[4] = { 1.0f, 0.0f, 0.0f, 0.0f };
+  frame.Shading->SetShownLight(light);
+  if (!this->DrawStage(frame, vtkShadowedShadingPass::VISIBILITY, lit))
+  {
+    return false;
+  }
+  visibility.resize(this->Pixels.size() / 4);
+  for (std::size_t i = 0; i < visibility.size(); ++i)
+  {
+    visibility[i] = this->Pixels[4 * i];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowReceiverBuffer::At(std::size_t i, Receiver& receiver) const
+{
+  const float* pixel = &this->Pixels[4 * i];
+  if (!(pixel[3] > 0.5f))
+  {
+    return false;
+  }
+  receiver.PositionVC = glm::vec3(pixel[0], pixel[1], pixel[2]);
+  receiver.NormalVC = NormalOf(pixel[3]);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowReceiverBuffer::CountReceivers() const
+{
+  std::size_t count = 0;
+  for (std::size_t i = 3; i < this->Pixels.size(); i += 4)
+  {
+    count += this->Pixels[i] > 0.5f ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowReceiverBuffer::Release()
+{
+  this->Depth.Release();
+  this->Colour.Release();
+  this->Drawn = false;
+}

@@ -1,0 +1,453 @@
+#include "vtkShadowScene.h"
+
+#include "vtkShadowMatrix.h"
+#include "vtkShadowPass.h"
+#include "vtkShadowSceneData.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFollower.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLODProp3D.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+
+vtkStandardNewMacro(vtkShadowScene);
+
+namespace
+{
+
+using Scene = vtkShadowScene;
+
+// A plane n.x = d in model coordinates, kept until the points change.
+struct KnownPlane
+{
+  vtkMTimeType Stamp = 0;
+  glm::dvec4 PlaneMC{ 0.0 };
+};
+
+glm::dvec3 PointOf(vtkPoints* points, vtkIdType i)
+{
+  double p[3];
+  points->GetPoint(i, p);
+  return { p[0], p[1], p[2] };
+}
+
+// The plane through all of `points`, to the rounding of floats; n = 0 if there is none.
+glm::dvec4 FlatPlane(vtkPoints* points)
+{
+  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
+  if (count < 3)
+  {
+    return glm::dvec4(0.0);
+  }
+
+  // Span the plane by the point farthest from the first, and the one farthest from that line.
+  const glm::dvec3 origin = PointOf(points, 0);
+  glm::dvec3 along(0.0), across(0.0);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const glm::dvec3 p = PointOf(points, i);
+    along = glm::length(p - origin) > glm::length(along) ? p - origin : along;
+    largest = std::max({ largest, std::abs(p.x), std::abs(p.y), std::abs(p.z) });
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const glm::dvec3 normal = glm::cross(along, PointOf(points, i) - origin);
+    across = glm::length(normal) > glm::length(across) ? normal : across;
+  }
+  const double length = glm::length(across);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    return glm::dvec4(0.0);
+  }
+
+  const glm::dvec3 normal = across / length;
+  const double tolerance = std::ldexp(largest, -22);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (!(std::abs(glm::dot(normal, PointOf(points, i) - origin)) <= tolerance))
+    {
+      return glm::dvec4(0.0);
+    }
+  }
+  return { normal, glm::dot(normal, origin) };
+}
+
+glm::dvec4 TransformPlane(const glm::dmat4& worldFromModel, const glm::dvec4& planeMC)
+{
+  // A plane is a row: (n, -d) transforms by the inverse transpose.
+  const glm::dvec4 row =
+    glm::inverseTranspose(worldFromModel) * glm::dvec4(glm::dvec3(planeMC), -planeMC.w);
+  const double length = glm::length(glm::dvec3(row));
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    return glm::dvec4(0.0);
+  }
+  return glm::dvec4(glm::dvec3(row), -row.w) / length;
+}
+
+vtkMTimeType DeepMTime(vtkDataObject* data)
+{
+  vtkMTimeType time = data->GetMTime();
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+template <typename T>
+void Append(std::vector<std::uint64_t>& signature, T value)
+{
+  static_assert(sizeof(T) <= sizeof(std::uint64_t), "one word a value");
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(T));
+  signature.push_back(bits);
+}
+
+std::vector<std::uint64_t> SignatureOf(const Scene::Piece& piece)
+{
+  std::vector<std::uint64_t> signature;
+  Append(signature, piece.Prop);
+  Append(signature, piece.Mapper);
+  Append(signature, piece.Mapper->GetMTime());
+  for (int port = 0; port < piece.Mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < piece.Mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* data = piece.Mapper->GetInputDataObject(port, i);
+      Append(signature, data);
+      Append(signature, data ? DeepMTime(data) : 0);
+    }
+  }
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      Append(signature, piece.WorldFromModel[column][row]);
+    }
+  }
+  if (auto* actor = vtkActor::SafeDownCast(piece.Prop))
+  {
+    vtkProperty* property = actor->GetProperty();
+    Append(signature, property->GetRepresentation());
+    Append(signature, property->GetLineWidth());
+    Append(signature, property->GetPointSize());
+    Append(signature, property->GetEdgeVisibility());
+    Append(signature, actor->GetShaderProperty()->GetMTime());
+  }
+  return signature;
+}
+
+bool HasKey(vtkProp* prop, vtkInformationIntegerKey* key)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(key);
+}
+
+int KeyOr(vtkProp* prop, vtkInformationIntegerKey* key, int otherwise)
+{
+  return HasKey(prop, key) ? prop->GetPropertyKeys()->Get(key) : otherwise;
+}
+
+vtkMapper* MapperOf(vtkProp* leaf)
+{
+  if (auto* actor = vtkActor::SafeDownCast(leaf))
+  {
+    return actor->GetMapper();
+  }
+  if (auto* lod = vtkLODProp3D::SafeDownCast(leaf))
+  {
+    return vtkMapper::SafeDownCast(lod->GetLODMapper(lod->GetPickLODID()));
+  }
+  return nullptr;
+}
+
+bool DrawsImpostors(const Scene::Piece& piece)
+{
+  // By name: the sphere and stick mappers' classes moved between VTK's modules and versions.
+  if (piece.Mapper->IsA("vtkOpenGLSphereMapper") || piece.Mapper->IsA("vtkOpenGLStickMapper") ||
+    piece.Mapper->IsA("vtkPointGaussianMapper"))
+  {
+    return true;
+  }
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  return actor &&
+    (actor->GetProperty()->GetRenderPointsAsSpheres() ||
+      actor->GetProperty()->GetRenderLinesAsTubes());
+}
+
+}
+
+//------------------------------------------------------------------------------
+class vtkShadowScene::Internals
+{
+public:
+  std::vector<Light> Lights;
+  std::vector<Prop> Props;
+  std::map<vtkMapper*, KnownPlane> Planes;
+  std::vector<std::uint64_t> CasterSignature;
+  vtkTimeStamp CasterTime;
+
+  void GatherLights(vtkRenderer* renderer);
+  void GatherProps(vtkRenderer* renderer);
+  void StampCasters();
+  void AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4* matrix);
+  glm::dvec4 PlaneOf(vtkMapper* mapper);
+};
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::Internals::GatherLights(vtkRenderer* renderer)
+{
+  this->Lights.clear();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat4 viewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
+  const glm::dvec3 eyeWC(glm::inverse(viewFromWorld)[3]);
+
+  vtkCollectionSimpleIterator it;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(it);
+  while (vtkLight* source = lights->GetNextLight(it))
+  {
+    if (!source->GetSwitch())
+    {
+      continue;
+    }
+    Light light;
+    light.Source = source;
+    double position[3], focus[3];
+    source->GetTransformedPosition(position);
+    source->GetTransformedFocalPoint(focus);
+    const glm::dvec3 positionWC(position[0], position[1], position[2]);
+    const glm::dvec3 alongWC = glm::dvec3(focus[0], focus[1], focus[2]) - positionWC;
+
+    const double length = glm::length(alongWC);
+    light.Ray.position = positionWC;
+    light.Ray.direction = length > 0.0 ? alongWC / length : glm::dvec3(0.0, 0.0, -1.0);
+    light.Ray.coneAngle = source->GetConeAngle();
+    light.Ray.kind = !source->GetPositional() ? vtkshadows::LightKind::Directional
+      : source->GetConeAngle() < 90.0         ? vtkshadows::LightKind::Spot
+                                              : vtkshadows::LightKind::Point;
+    light.AtEye = source->LightTypeIsHeadlight() ||
+      (source->GetPositional() &&
+        glm::length(positionWC - eyeWC) <= std::ldexp(glm::length(eyeWC), -40));
+    this->Lights.push_back(light);
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 vtkShadowScene::Internals::PlaneOf(vtkMapper* mapper)
+{
+  auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
+  vtkPolyData* mesh = polyMapper && !mapper->IsA("vtkCompositePolyDataMapper") &&
+      !mapper->IsA("vtkOpenGLSphereMapper") && !mapper->IsA("vtkOpenGLStickMapper")
+    ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))
+    : nullptr;
+  if (!mesh)
+  {
+    return glm::dvec4(0.0);
+  }
+  KnownPlane& known = this->Planes[mapper];
+  const vtkMTimeType stamp = std::max(mesh->GetMTime(), mapper->GetMTime());
+  if (known.Stamp != stamp)
+  {
+    known.Stamp = stamp;
+    known.PlaneMC = FlatPlane(mesh->GetPoints());
+  }
+  return known.PlaneMC;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4* matrix)
+{
+  vtkMapper* mapper = MapperOf(leaf);
+  if (!mapper || !leaf->GetVisibility())
+  {
+    return;
+  }
+  // Asking for the bounds brings the mapper's pipeline up to date.
+  const double* bounds = mapper->GetBounds();
+  if (!bounds || !(bounds[0] <= bounds[1]))
+  {
+    return;
+  }
+  Piece piece;
+  piece.Prop = vtkProp3D::SafeDownCast(leaf);
+  piece.Mapper = mapper;
+  piece.WorldFromModel = matrix ? vtkShadowMatrix::ToGlm(matrix) : glm::dmat4(1.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 cornerMC(
+      bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)], 1.0);
+    piece.CornersWC[i] = glm::dvec3(piece.WorldFromModel * cornerMC);
+    if (!std::isfinite(glm::dot(piece.CornersWC[i], glm::dvec3(1.0))))
+    {
+      return;
+    }
+  }
+  const glm::dvec4 planeMC = this->PlaneOf(mapper);
+  if (glm::dvec3(planeMC) != glm::dvec3(0.0))
+  {
+    piece.PlaneWC = TransformPlane(piece.WorldFromModel, planeMC);
+  }
+  piece.Signature = SignatureOf(piece);
+  prop.Impostors = prop.Impostors || DrawsImpostors(piece);
+  prop.Pieces.push_back(std::move(piece));
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
+{
+  this->Props.clear();
+  vtkCollectionSimpleIterator it;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(it);
+  while (vtkProp* source = props->GetNextProp(it))
+  {
+    if (!source->GetVisibility())
+    {
+      continue;
+    }
+    Prop prop;
+    prop.Source = source;
+    prop.Translucent =
+      !source->HasOpaqueGeometry() && source->HasTranslucentPolygonalGeometry() != 0;
+    source->InitPathTraversal();
+    while (vtkAssemblyPath* path = source->GetNextPath())
+    {
+      vtkAssemblyNode* node = path->GetLastNode();
+      this->AddPiece(prop, node->GetViewProp(), node->GetMatrix());
+    }
+    if (prop.Pieces.empty())
+    {
+      continue;
+    }
+    // A follower is a label: it turns with the eye.
+    const int isScenery = source->IsA("vtkFollower") ? 0 : 1;
+    prop.Casts = KeyOr(source, vtkShadowPass::CASTS_SHADOWS(), isScenery && !prop.Translucent) != 0;
+    prop.Receives = KeyOr(source, vtkShadowPass::RECEIVES_SHADOWS(), isScenery) != 0;
+    this->Props.push_back(std::move(prop));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::Internals::StampCasters()
+{
+  std::vector<std::uint64_t> signature;
+  for (const Prop& prop : this->Props)
+  {
+    if (prop.Casts)
+    {
+      Append(signature, prop.Source);
+      for (const Piece& piece : prop.Pieces)
+      {
+        signature.insert(signature.end(), piece.Signature.begin(), piece.Signature.end());
+      }
+    }
+  }
+  if (signature != this->CasterSignature || this->CasterTime.GetMTime() == 0)
+  {
+    this->CasterSignature.swap(signature);
+    this->CasterTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShadowScene::vtkShadowScene()
+  : Internal(new Internals)
+{
+}
+
+vtkShadowScene::~vtkShadowScene() = default;
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::Gather(vtkRenderer* renderer)
+{
+  this->Internal->GatherLights(renderer);
+  this->Internal->GatherProps(renderer);
+  this->Internal->StampCasters();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::SetLightRadius(std::size_t light, double radius)
+{
+  this->Internal->Lights[light].Ray.radius = radius;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkShadowScene::Light>& vtkShadowScene::GetLights() const
+{
+  return this->Internal->Lights;
+}
+
+const std::vector<vtkShadowScene::Prop>& vtkShadowScene::GetProps() const
+{
+  return this->Internal->Props;
+}
+
+int vtkShadowScene::GetNumberOfLights() const
+{
+  return static_cast<int>(this->Internal->Lights.size());
+}
+
+int vtkShadowScene::GetNumberOfCasters() const
+{
+  int count = 0;
+  for (const Prop& prop : this->Internal->Props)
+  {
+    count += prop.Casts ? 1 : 0;
+  }
+  return count;
+}
+
+int vtkShadowScene::GetNumberOfReceivers() const
+{
+  int count = 0;
+  for (const Prop& prop : this->Internal->Props)
+  {
+    count += prop.Receives ? 1 : 0;
+  }
+  return count;
+}
+
+vtkMTimeType vtkShadowScene::GetCasterStamp() const
+{
+  return this->Internal->CasterTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLights: " << this->GetNumberOfLights() << "\n";
+  os << indent << "NumberOfCasters: " << this->GetNumberOfCasters() << "\n";
+  os << indent << "NumberOfReceivers: " << this->GetNumberOfReceivers() << "\n";
+  os << indent << "CasterStamp: " << this->GetCasterStamp() << "\n";
+}

@@ -1,0 +1,67 @@
+// What vtkShadowScene gathers and vtkShadowPass hands to the techniques each frame. Plain C++, not
+// wrapped; spaces: WC world, MC a mapper's model coordinates, VC the eye's view coordinates.
+#ifndef vtkShadowSceneData_h
+#define vtkShadowSceneData_h
+
+#include "LightView.h"
+#include "ShadowLight.h"
+#include "vtkShadowScene.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLRenderer;
+class vtkRenderState;
+class vtkShadowReceiverBuffer;
+class vtkShadowedShadingPass;
+
+struct vtkShadowScene::Light
+{
+  vtkLight* Source = nullptr;
+  vtkshadows::ShadowLight Ray; // what shadows need of it, world
+  bool AtEye = false;          // headlight: nothing that is seen is shadowed
+};
+
+// One mapper of a prop with its place in the world.
+struct vtkShadowScene::Piece
+{
+  vtkProp3D* Prop = nullptr;
+  vtkMapper* Mapper = nullptr;
+  glm::dmat4 WorldFromModel{ 1.0 };
+  vtkshadows::BoxCorners CornersWC;
+  // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
+  glm::dvec4 PlaneWC{ 0.0 };
+  // Changes exactly when what the piece casts changes.
+  std::vector<std::uint64_t> Signature;
+};
+
+struct vtkShadowScene::Prop
+{
+  vtkProp* Source = nullptr;
+  bool Casts = true;
+  bool Receives = true;
+  bool Translucent = false;
+  // Draws impostors (spheres, sticks, points as spheres, lines as tubes), whose shaders ask whether the
+  // camera is parallel.
+  bool Impostors = false;
+  std::vector<Piece> Pieces;
+};
+
+// One frame, as a technique is given it.
+struct vtkShadowFrame
+{
+  const vtkRenderState* State = nullptr;
+  vtkOpenGLRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkShadowScene* Scene = nullptr;
+  vtkShadowedShadingPass* Shading = nullptr;
+  vtkShadowReceiverBuffer* Receivers = nullptr; // Draw() it if you need it; drawn once a frame
+  int Size[2] = { 0, 0 };                       // of the viewport in pixels
+  int Origin[2] = { 0, 0 };                     // of the viewport in its framebuffer
+  glm::dmat4 ViewFromWorld{ 1.0 };              // the eye's
+};
+
+#endif

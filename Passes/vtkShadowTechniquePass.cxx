@@ -1,0 +1,71 @@
+#include "vtkShadowTechniquePass.h"
+
+#include "vtkShadowPass.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkShadowTechniquePass::vtkShadowTechniquePass() = default;
+vtkShadowTechniquePass::~vtkShadowTechniquePass() = default;
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniquePass::Render(const vtkRenderState* s)
+{
+  if (!this->Standalone)
+  {
+    this->Standalone = vtkSmartPointer<vtkShadowPass>::New();
+    this->Standalone->UseTechnique(this);
+  }
+  this->Standalone->Render(s);
+  this->NumberOfRenderedProps = this->Standalone->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniquePass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  if (this->Standalone)
+  {
+    // It borrows this technique, which its subclass releases itself.
+    const vtkSmartPointer<vtkShadowPass> standalone = this->Standalone;
+    this->Standalone = nullptr;
+    standalone->ReleaseGraphicsResources(w);
+    this->Standalone = standalone;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniquePass::WarnOnce(const void* subject, const std::string& message)
+{
+  const auto known = std::find_if(this->Warned.begin(), this->Warned.end(),
+    [subject](const std::pair<const void*, std::string>& entry) { return entry.first == subject; });
+  if (message.empty())
+  {
+    if (known != this->Warned.end())
+    {
+      this->Warned.erase(known);
+    }
+    return;
+  }
+  if (known == this->Warned.end())
+  {
+    this->Warned.emplace_back(subject, message);
+  }
+  else if (known->second == message)
+  {
+    return;
+  }
+  else
+  {
+    known->second = message;
+  }
+  vtkWarningMacro(<< message);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniquePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TechniqueName: " << this->GetTechniqueName() << "\n";
+  os << indent << "VisibilityForm: " << (this->GetVisibilityForm() == MASK ? "mask" : "lookup")
+     << "\n";
+}

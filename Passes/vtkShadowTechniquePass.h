@@ -1,0 +1,111 @@
+/**
+ * @class   vtkShadowTechniquePass
+ * @brief   the contract: one technique, its visibility of a light
+ *
+ * A technique answers one question: how much of a light does a receiver see, 0 to 1. It answers in one
+ * of two forms:
+ * - LOOKUP: a GLSL function of the fragment's position, evaluated while the receiver is shaded;
+ * - MASK: a viewport-sized texture, 1 lit and 0 shadowed, origin bottom-left, one layer a light.
+ * Nothing else leaves a technique; vtkShadowedShadingPass is the one that multiplies.
+ *
+ * Each frame vtkShadowPass calls UpdateVisibility with the lights that this technique serves; slot i of a
+ * lookup or mask belongs to lights[i].
+ *
+ * Given to a renderer by itself (renderer->SetPass), a technique shadows every light.
+ *
+ * @sa vtkShadowPass vtkShadowScene vtkShadowedShadingPass
+ */
+#ifndef vtkShadowTechniquePass_h
+#define vtkShadowTechniquePass_h
+
+#include "vtkRenderPass.h"
+#include "vtkShadowsPassesModule.h" // for export macro
+#include "vtkSmartPointer.h"        // for the stand-alone pass
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+class vtkShaderProgram;
+class vtkShadowPass;
+class vtkShadowTextureArray;
+struct vtkShadowFrame;
+namespace vtkshadows
+{
+struct ShadowLight;
+}
+
+class VTKSHADOWSPASSES_EXPORT vtkShadowTechniquePass : public vtkRenderPass
+{
+public:
+  vtkTypeMacro(vtkShadowTechniquePass, vtkRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum VisibilityForm
+  {
+    LOOKUP = 0,
+    MASK = 1
+  };
+
+  /**
+   * The technique's one name, as settings and the command line spell it: "depth-map".
+   */
+  virtual const char* GetTechniqueName() const = 0;
+
+  virtual VisibilityForm GetVisibilityForm() const = 0;
+
+  /**
+   * Render the frame with every light shadowed by this technique.
+   */
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+
+protected:
+  vtkShadowTechniquePass();
+  ~vtkShadowTechniquePass() override;
+  friend class vtkShadowPass;
+  friend class vtkShadowedShadingPass;
+
+  /**
+   * Make the visibility of `lights` (indices into frame.Scene->GetLights()) ready for this frame,
+   * rebuilding only what is stale. A light that cannot be served is left lit, with one warning that
+   * says why (WarnOnce). false, with an error, if nothing could be made: every light is then lit.
+   */
+  virtual bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) = 0;
+
+  ///@{
+  /**
+   * The layers that are sampled, one a slot (LOOKUP: maps; MASK: one byte a pixel of the viewport), and the
+   * name of the one sampler2DArray that reads them. Called once UpdateVisibility has succeeded.
+   */
+  virtual vtkShadowTextureArray* GetTextures() = 0;
+  virtual std::string GetSamplerName() const = 0;
+  ///@}
+
+  ///@{
+  /**
+   * LOOKUP: GLSL 1.50 that declares `float f(int slot, vec4 positionVC)` with its uniforms and its sampler;
+   * f's name; and setting its uniforms but the sampler. Every name in it begins with "shadow".
+   */
+  virtual std::string GetLookupDeclarations() const { return {}; }
+  virtual std::string GetLookupFunction() const { return {}; }
+  virtual void SetLookupUniforms(vtkShaderProgram*) {}
+  ///@}
+
+  /**
+   * Warn of `message` unless the last warning about `subject` said the same; an empty message
+   * forgets it, so that a fault that comes back is told again.
+   */
+  void WarnOnce(const void* subject, const std::string& message);
+
+  int GetNumberOfSlots() const { return this->NumberOfSlots; }
+
+private:
+  vtkShadowTechniquePass(const vtkShadowTechniquePass&) = delete;
+  void operator=(const vtkShadowTechniquePass&) = delete;
+
+  vtkSmartPointer<vtkShadowPass> Standalone;
+  std::vector<std::pair<const void*, std::string>> Warned;
+  int NumberOfSlots = 0; // lights of the coming frame, set ahead of its shaders
+};
+
+#endif

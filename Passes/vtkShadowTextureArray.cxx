@@ -1,0 +1,147 @@
+#include "vtkShadowTextureArray.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShadowOpenGL.h"
+#include "vtkTextureUnitManager.h"
+
+namespace
+{
+
+struct TexelLayout
+{
+  GLenum Internal;
+  GLenum Components;
+  GLenum Type;
+};
+
+TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
+{
+  switch (format)
+  {
+    case vtkShadowTextureArray::Format::Depth32F:
+      return { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
+    case vtkShadowTextureArray::Format::RGBA32F:
+      return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
+    default:
+      return { GL_R8, GL_RED, GL_UNSIGNED_BYTE };
+  }
+}
+
+// Binds a texture to the active unit, and what was there before back at the end of the scope.
+class ScopedBinding
+{
+public:
+  explicit ScopedBinding(unsigned int texture)
+  {
+    glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &this->Before);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  }
+  ~ScopedBinding() { glBindTexture(GL_TEXTURE_2D_ARRAY, static_cast<GLuint>(this->Before)); }
+
+private:
+  GLint Before = 0;
+};
+
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTextureArray::~vtkShadowTextureArray()
+{
+  this->Release();
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTextureArray::Reserve(
+  vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers)
+{
+  if (this->Texture && this->Window == window && this->TexelFormat == format &&
+    this->Size[0] == width && this->Size[1] == height && this->Size[2] >= layers)
+  {
+    return false;
+  }
+  this->Release();
+  this->Window = window;
+  this->TexelFormat = format;
+
+  glGenTextures(1, &this->Texture);
+  const ScopedBinding bound(this->Texture);
+  const TexelLayout layout = LayoutOf(format);
+  while (glGetError() != GL_NO_ERROR)
+  {
+    // Forget errors of others: the next one asked for must be ours.
+  }
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(layout.Internal), width, height, layers, 0,
+    layout.Components, layout.Type, nullptr);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    glDeleteTextures(1, &this->Texture);
+    this->Texture = 0;
+    return true;
+  }
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  this->Size[0] = width;
+  this->Size[1] = height;
+  this->Size[2] = layers;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Upload(int layer, const unsigned char* texels)
+{
+  const ScopedBinding bound(this->Texture);
+  GLint alignment = 4;
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, this->Size[0], this->Size[1], 1, GL_RED,
+    GL_UNSIGNED_BYTE, texels);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Activate()
+{
+  if (!this->Texture || this->TextureUnit >= 0)
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  this->TextureUnit = state->GetTextureUnitManager()->Allocate();
+  if (this->TextureUnit >= 0)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texture);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Deactivate()
+{
+  if (this->TextureUnit < 0)
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  state->GetTextureUnitManager()->Free(this->TextureUnit);
+  this->TextureUnit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Release()
+{
+  if (this->Texture && this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Deactivate();
+    glDeleteTextures(1, &this->Texture);
+  }
+  this->Texture = 0;
+  this->TextureUnit = -1;
+  this->Window = nullptr;
+}

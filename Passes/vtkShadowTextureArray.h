@@ -1,0 +1,52 @@
+// A 2D texture array: maps and masks, one layer a light, behind a single sampler (vtkTextureObject has
+// no array target). Released with its window, or on destruction while the window lives.
+#ifndef vtkShadowTextureArray_h
+#define vtkShadowTextureArray_h
+
+#include "vtkWeakPointer.h"
+
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+class vtkShadowTextureArray
+{
+public:
+  enum class Format
+  {
+    Depth32F, // one float, 0 nearest .. 1 farthest
+    RGBA32F,
+    R8 // 0..255 read as 0..1
+  };
+
+  vtkShadowTextureArray() = default;
+  ~vtkShadowTextureArray();
+  vtkShadowTextureArray(const vtkShadowTextureArray&) = delete;
+  void operator=(const vtkShadowTextureArray&) = delete;
+
+  // Room for `layers` of width x height texels; true if it was allocated anew, its contents lost.
+  // Keeps what it has if that has the same texels and enough layers. Id() is 0 if memory ran out.
+  bool Reserve(vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers);
+
+  // R8 only: width*height bytes, row by row from the bottom.
+  void Upload(int layer, const unsigned char* texels);
+
+  // Bind to a texture unit of the window's own, and give the unit back.
+  void Activate();
+  void Deactivate();
+  int Unit() const { return this->TextureUnit; }
+
+  void Release();
+
+  unsigned int Id() const { return this->Texture; }
+  int Width() const { return this->Size[0]; }
+  int Height() const { return this->Size[1]; }
+
+private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  unsigned int Texture = 0;
+  Format TexelFormat = Format::R8;
+  int Size[3] = { 0, 0, 0 };
+  int TextureUnit = -1;
+};
+
+#endif

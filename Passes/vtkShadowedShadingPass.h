@@ -1,0 +1,130 @@
+/**
+ * @class   vtkShadowedShadingPass
+ * @brief   the one consumer of visibility: multiplies each light's colour by it
+ *
+ * Attached to the props of a frame, it puts one line a light ahead of VTK's own lighting code in the
+ * fragment shader:
+ * @code
+ * vec3 lightColor0 = lightColor0 * visibilityOfLight0;
+ * @endcode
+ * a local variable that hides the uniform, so that every lighting model of VTK's (Gouraud, flat, PBR with
+ * coat) is shadowed alike and no light equation is matched by its text.
+ *
+ * The same program serves the other draws of a frame (casters into a map, receivers into a buffer), told by
+ * a uniform: a mapper's shader is built once and not again at each stage.
+ *
+ * @sa vtkShadowPass vtkShadowTechniquePass
+ */
+#ifndef vtkShadowedShadingPass_h
+#define vtkShadowedShadingPass_h
+
+#include "vtkNew.h" // for the caster camera
+#include "vtkOpenGLRenderPass.h"
+#include "vtkShadowsPassesModule.h" // for export macro
+#include "vtkSmartPointer.h"        // for the keys attached to
+
+#include <memory>        // for std::unique_ptr
+#include <string>        // for std::string
+#include <unordered_map> // for what is known of a prop
+#include <vector>        // for the plan
+
+class vtkInformation;
+class vtkOpenGLState;
+class vtkShadowCasterCamera;
+class vtkShadowScene;
+class vtkShadowTechniquePass;
+class vtkShadowTextureArray;
+struct vtkShadowFrame;
+namespace vtkshadows
+{
+struct LightView;
+}
+
+class VTKSHADOWSPASSES_EXPORT vtkShadowedShadingPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkShadowedShadingPass* New();
+  vtkTypeMacro(vtkShadowedShadingPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Nothing by itself: vtkShadowPass attaches it to the props of its frame.
+   */
+  void Render(const vtkRenderState*) override {}
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+
+#ifndef __VTK_WRAP__
+  // What is drawn: the numbers are those of shadowStage in the shader.
+  enum Stage
+  {
+    SHADE = 0,
+    CASTERS = 1,
+    POSITIONS = 2,
+    VISIBILITY = 3
+  };
+
+  // Whose visibility light i of the scene is multiplied by; no technique: lit.
+  struct LightPlan
+  {
+    vtkShadowTechniquePass* Technique = nullptr;
+    int Slot = 0;
+    float Strength = 1.0f;
+  };
+  void SetPlan(const std::vector<LightPlan>& plan);
+
+  // Put this pass among the render passes of every prop of the scene, and take it away again.
+  void Attach(const vtkShadowFrame& frame);
+  void Detach();
+
+  // Between UpdateVisibility of every technique in the plan and the frame's shading; Detach undoes it.
+  void ActivateTextures();
+
+  // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's, into the
+  // bound framebuffer. Camera and stage are as before afterwards.
+  void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
+    const vtkshadows::LightView& view);
+  void DrawReceivers(const vtkShadowFrame& frame, Stage stage);
+
+  // The light that VISIBILITY shows.
+  void SetShownLight(int light) { this->ShownLight = light; }
+#endif
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+
+protected:
+  vtkShadowedShadingPass();
+  ~vtkShadowedShadingPass() override;
+
+private:
+  vtkShadowedShadingPass(const vtkShadowedShadingPass&) = delete;
+  void operator=(const vtkShadowedShadingPass&) = delete;
+
+  std::vector<vtkShadowTechniquePass*> TechniquesInPlan() const;
+  std::string Declarations() const;
+  std::string LightCode(const std::string& fragmentShader) const;
+  std::string OutputCode(const std::string& fragmentShader) const;
+  void AttachTo(vtkProp* prop, bool receives);
+
+  std::vector<LightPlan> Plan;
+  std::string PlanShape; // what of the plan the shader's text depends on
+  vtkTimeStamp ShaderStage;
+  Stage CurrentStage = SHADE;
+  int ShownLight = 0;
+  bool Complained = false;
+
+  vtkOpenGLState* State = nullptr; // while attached
+  std::vector<vtkSmartPointer<vtkInformation>> Attached;
+  std::unordered_map<vtkProp*, bool> Receives; // leaves and tops
+  float MaskSize[2] = { 0.0f, 0.0f };
+  int ParallelEye = 0;
+  vtkNew<vtkShadowCasterCamera> CasterCamera;
+  std::unique_ptr<vtkShadowTextureArray> Placeholder;
+};
+
+#endif

@@ -1,0 +1,41 @@
+#include "vtkPVShadowView.h"
+
+#include "vtkDepthShadowMapPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkShadowPass.h"
+
+vtkStandardNewMacro(vtkPVShadowView);
+
+//----------------------------------------------------------------------------
+vtkPVShadowView::vtkPVShadowView()
+{
+  this->SynchronizedRenderers->SetRenderPass(this->Shadows);
+}
+
+//----------------------------------------------------------------------------
+vtkPVShadowView::~vtkPVShadowView() = default;
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetTechnique(const char* name)
+{
+  if (this->Shadows->SetTechnique(name ? name : ""))
+  {
+    this->Modified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetResolution(int resolution)
+{
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(resolution);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shadows: " << endl;
+  this->Shadows->PrintSelf(os, indent.GetNextIndent());
+}

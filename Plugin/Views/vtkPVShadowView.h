@@ -1,0 +1,51 @@
+/**
+ * @class   vtkPVShadowView
+ * @brief   ParaView's render view with a vtkShadowPass
+ *
+ * "Render View (Shadows)" in ParaView. The pass stays in place whatever the technique, so that the
+ * render view may put it aside and back as it does for ray tracing (OSPRay, which has shadows of its own)
+ * and for capturing values.
+ *
+ * Limits: under several processes each shadows its own part of the geometry.
+ *
+ * @sa vtkShadowPass
+ */
+#ifndef vtkPVShadowView_h
+#define vtkPVShadowView_h
+
+#include "vtkNew.h" // for the pass
+#include "vtkPVRenderView.h"
+#include "vtkShadowsPVViewsModule.h" // for export macro
+
+class vtkShadowPass;
+
+class VTKSHADOWSPVVIEWS_EXPORT vtkPVShadowView : public vtkPVRenderView
+{
+public:
+  static vtkPVShadowView* New();
+  vtkTypeMacro(vtkPVShadowView, vtkPVRenderView);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Technique of every light: "depth-map" (default), "ray-cast" or "none". An unknown name is an
+   * error and changes nothing.
+   */
+  void SetTechnique(const char* name);
+
+  /**
+   * Width and height of each depth map in texels, 1 or more (default 2048).
+   */
+  void SetResolution(int resolution);
+
+protected:
+  vtkPVShadowView();
+  ~vtkPVShadowView() override;
+
+private:
+  vtkPVShadowView(const vtkPVShadowView&) = delete;
+  void operator=(const vtkPVShadowView&) = delete;
+
+  vtkNew<vtkShadowPass> Shadows;
+};
+
+#endif

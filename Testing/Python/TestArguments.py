@@ -1,0 +1,95 @@
+"""Wrong arguments: one error that names the value and the remedy, and nothing is changed."""
+import math
+import types
+import unittest
+
+import vtkshadows
+from scene import Scene
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+
+SCENE = Scene()
+
+
+class TestArguments(unittest.TestCase):
+    def setUp(self):
+        vtkshadows.disable(SCENE.renderer)
+
+    def assert_refused(self, pattern, call, *args, kind=ValueError, **kwargs):
+        with self.assertRaisesRegex(kind, pattern) as caught:
+            call(*args, **kwargs)
+        print(caught.exception)
+        self.assertNotIn("\n", str(caught.exception))
+
+    def test_enable(self):
+        for pattern, arguments in (
+            ("'shadow-magic'; there are depth-map", dict(technique="shadow-magic")),
+            ("unknown technique None", dict(technique=None)),
+            ("unknown setting 'resolutoin'; there are resolution", dict(resolutoin=1)),
+            ("resolution: 0 is out of range; give 1", dict(resolution=0)),
+            ("resolution: 1.5 is not a whole number", dict(resolution=1.5)),
+            ("light_samples: 5000 .* give 1 to 4096", dict(light_samples=5000)),
+            ("epsilon_scale: 0.0 is out of range", dict(epsilon_scale=0)),
+            ("strength: 1.5 is out of range; give 0 to 1", dict(strength=1.5)),
+            ("strength: nan is out of range", dict(strength=math.nan)),
+            ("strength: 'dark' is not a number", dict(strength="dark")),
+            ("radius: inf is out of range; give 0 or more", dict(radius=math.inf)),
+            ("delegate: int is not a vtkRenderPass", dict(delegate=1)),
+        ):
+            with self.subTest(**arguments):
+                self.assert_refused(pattern, vtkshadows.enable, SCENE.renderer, **arguments)
+                self.assertIsNone(SCENE.renderer.GetPass())
+
+    def test_settings_arrive(self):
+        shadows = vtkshadows.enable(SCENE.renderer, resolution=512, strength=0.25, radius=2)
+        self.assertEqual(shadows.GetDepthShadowMapPass().GetResolution(), 512)
+        self.assertEqual(shadows.GetLightStrength(SCENE.light), 0.25)
+        self.assertEqual(shadows.GetLightRadius(SCENE.light), 2)
+        ray_cast = shadows.GetRayCastShadowPass()
+        if ray_cast:
+            vtkshadows.enable(SCENE.renderer, light_samples=16, epsilon_scale=2)
+            self.assertEqual((ray_cast.GetLightSamples(), ray_cast.GetEpsilonScale()), (16, 2))
+
+    def test_what_has_a_renderer(self):
+        several = [SCENE.renderer, vtkRenderer()]
+        for thing in (
+            SCENE.renderer,
+            types.SimpleNamespace(renderer=SCENE.renderer, renderers=several),  # a PyVista plotter
+            types.SimpleNamespace(renderers=several[:1]),
+        ):
+            vtkshadows.enable(thing)
+            self.assertIsInstance(SCENE.renderer.GetPass(), vtkshadows.vtkShadowPass)
+            vtkshadows.disable(thing)
+            self.assertIsNone(SCENE.renderer.GetPass())
+        self.assert_refused(
+            "2 renderers; give one", vtkshadows.enable, types.SimpleNamespace(renderers=several)
+        )
+        for thing in (None, 3, SCENE.window, types.SimpleNamespace(renderers=[])):
+            self.assert_refused("not a vtkRenderer", vtkshadows.enable, thing)
+
+    def test_lights(self):
+        for call in (vtkshadows.visibility, vtkshadows.error):
+            self.assert_refused("no shadows; call vtkshadows.enable", call, SCENE.renderer)
+        vtkshadows.enable(SCENE.renderer)
+        for call in (vtkshadows.visibility, vtkshadows.error):
+            self.assert_refused("light: 1 is out of range", call, SCENE.renderer, 1)
+            self.assert_refused("light: -1 is out of range", call, SCENE.renderer, -1)
+            self.assert_refused("'sun' is neither a vtkLight", call, SCENE.renderer, "sun")
+            self.assert_refused("not one of this renderer's", call, SCENE.renderer, vtkLight())
+        SCENE.light.SwitchOff()
+        self.assert_refused("no light switched on", vtkshadows.visibility, SCENE.renderer)
+        SCENE.light.SwitchOn()
+
+    def test_props(self):
+        self.assert_refused("int is not a vtkProp", vtkshadows.set_casts_shadows, 3, True)
+        self.assert_refused("not a vtkProp", vtkshadows.set_receives_shadows, SCENE.light, True)
+
+    def test_vtk_errors_are_raised(self):
+        """What only VTK can find out comes as a RuntimeError with its message, and is not printed."""
+        no_window = vtkRenderer()
+        no_window.AddLight(vtkLight())
+        vtkshadows.enable(no_window)
+        self.assert_refused("window", vtkshadows.visibility, no_window, kind=RuntimeError)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

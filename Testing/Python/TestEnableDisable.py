@@ -1,0 +1,83 @@
+"""enable() changes the picture where a shadow falls, disable() gives back the very frame before."""
+import gc
+import unittest
+
+import vtkshadows
+from scene import Scene
+from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkRenderStepsPass
+
+# One window for all tests: many in one process abort VTK 9.2 under X.
+SCENE = Scene()
+SHADOW = (-1.5, -1.5)  # where the sphere's shadow falls
+LIT = (1.5, 1.5)
+
+
+class TestEnableDisable(unittest.TestCase):
+    def setUp(self):
+        SCENE.renderer.SetPass(None)
+        self.before = SCENE.frame()
+
+    def assert_same(self, got, expected):
+        different = int((got != expected).any(axis=2).sum())
+        self.assertEqual(different, 0, f"pixels that differ: got {different}, expected 0, tolerance 0")
+
+    def assert_shadowed(self, frame):
+        dark, lit = SCENE.pixel(*SHADOW), SCENE.pixel(*LIT)
+        print(f"shadow: {frame[dark]} from {self.before[dark]}, lit: {frame[lit]} from {self.before[lit]}")
+        self.assertLess(int(frame[dark].max()), int(self.before[dark].max()) // 4)
+        self.assertLessEqual(abs(int(frame[lit].max()) - int(self.before[lit].max())), 1)
+
+    def test_every_technique(self):
+        for technique in vtkshadows.techniques():
+            with self.subTest(technique=technique):
+                shadows = vtkshadows.enable(SCENE.renderer, technique)
+                self.assertEqual(shadows.GetTechnique(), technique)
+                frame = SCENE.frame()
+                if technique == "none":
+                    self.assert_same(frame, self.before)
+                else:
+                    self.assert_shadowed(frame)
+                self.assertTrue(vtkshadows.disable(SCENE.renderer))
+                self.assert_same(SCENE.frame(), self.before)
+
+    def test_the_previous_pass_draws_and_comes_back(self):
+        camera_pass, steps = vtkCameraPass(), vtkRenderStepsPass()
+        camera_pass.SetDelegatePass(steps.GetCameraPass().GetDelegatePass())
+        SCENE.renderer.SetPass(camera_pass)
+        before = SCENE.frame()
+
+        self.assertIs(vtkshadows.enable(SCENE.renderer).GetDelegatePass(), camera_pass)
+        gc.collect()
+        self.assert_shadowed(SCENE.frame())
+        vtkshadows.enable(SCENE.renderer, "none")  # a second time: the same pass, the same memory
+        gc.collect()
+        vtkshadows.disable(SCENE.renderer)
+        self.assertIs(SCENE.renderer.GetPass(), camera_pass)
+        self.assert_same(SCENE.frame(), before)
+
+    def test_strength(self):
+        vtkshadows.enable(SCENE.renderer, strength=0)
+        self.assert_same(SCENE.frame(), self.before)
+        vtkshadows.enable(SCENE.renderer, strength=0.5)
+        dark = SCENE.pixel(*SHADOW)
+        got, expected = int(SCENE.frame()[dark].max()), int(self.before[dark].max()) / 2
+        print(f"half strength: got {got}, expected {expected}, tolerance 1.5")
+        self.assertLessEqual(abs(got - expected), 1.5)
+
+    def test_props_that_do_not_take_part(self):
+        vtkshadows.enable(SCENE.renderer)
+        vtkshadows.set_casts_shadows(SCENE.sphere, False)
+        self.assert_same(SCENE.frame(), self.before)
+        vtkshadows.set_casts_shadows(SCENE.sphere, True)
+        self.assert_shadowed(SCENE.frame())
+        vtkshadows.set_receives_shadows(SCENE.floor, False)
+        dark = SCENE.pixel(*SHADOW)
+        self.assertEqual(SCENE.frame()[dark].tolist(), self.before[dark].tolist())
+        vtkshadows.set_receives_shadows(SCENE.floor, True)
+
+    def test_disable_without_shadows(self):
+        self.assertFalse(vtkshadows.disable(SCENE.renderer))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

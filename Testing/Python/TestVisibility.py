@@ -1,0 +1,97 @@
+"""visibility() and error(): shapes, ranges, which way is up, which light."""
+import unittest
+
+import numpy
+import vtkshadows
+from scene import SIZE, Scene
+
+SCENE = Scene()
+WIDTH, HEIGHT = SIZE
+SHADOW_AREA = 100  # pixels: the disc of radius 0.4 is 40 pixels a unit, about 800 and more
+
+
+class TestVisibility(unittest.TestCase):
+    def setUp(self):
+        for light in list(SCENE.renderer.GetLights()):
+            if light is not SCENE.light:
+                SCENE.renderer.RemoveLight(light)
+        SCENE.light.SwitchOn()
+        vtkshadows.disable(SCENE.renderer)
+        vtkshadows.enable(SCENE.renderer)
+        SCENE.window.Render()
+
+    def check_mask(self, mask):
+        self.assertEqual((mask.shape, mask.dtype), ((HEIGHT, WIDTH), numpy.float32))
+        self.assertTrue(mask.flags.c_contiguous and mask.flags.owndata)
+        self.assertGreaterEqual(mask.min(), 0)
+        self.assertLessEqual(mask.max(), 1)
+
+    def assert_shadow_at(self, mask, x, y):
+        row, column = SCENE.pixel(x, y)
+        got = mask[row, column]
+        print(f"visibility at row {row}, column {column}: got {got}, expected 0, tolerance 0")
+        self.assertEqual(got, 0)
+
+    def test_row_zero_is_at_the_top(self):
+        for technique in vtkshadows.techniques():
+            if technique == "none":
+                continue
+            with self.subTest(technique=technique):
+                vtkshadows.enable(SCENE.renderer, technique)
+                SCENE.window.Render()
+                mask = vtkshadows.visibility(SCENE.renderer)
+                self.check_mask(mask)
+                self.assert_shadow_at(mask, -1.5, -1.5)
+                for lit in ((1.5, 1.5), (-1.5, 1.5), (1.5, -1.5)):
+                    self.assertEqual(mask[SCENE.pixel(*lit)], 1)
+
+    def test_none_is_lit_everywhere(self):
+        vtkshadows.enable(SCENE.renderer, "none")
+        SCENE.window.Render()
+        self.assertEqual(vtkshadows.visibility(SCENE.renderer).min(), 1)
+
+    def test_lights_by_index_and_by_themselves(self):
+        second = SCENE.add_light((-1, 1, 1))
+        SCENE.window.Render()
+        self.assert_shadow_at(vtkshadows.visibility(SCENE.renderer, 1), 1.5, -1.5)
+        by_light = vtkshadows.visibility(SCENE.renderer, second)
+        self.assertTrue((by_light == vtkshadows.visibility(SCENE.renderer, numpy.int64(1))).all())
+
+        # An index counts the lights that are on.
+        SCENE.light.SwitchOff()
+        SCENE.window.Render()
+        self.assert_shadow_at(vtkshadows.visibility(SCENE.renderer, 0), 1.5, -1.5)
+
+    def test_strength_is_left_out(self):
+        vtkshadows.enable(SCENE.renderer, strength=0.5)
+        SCENE.window.Render()
+        self.assert_shadow_at(vtkshadows.visibility(SCENE.renderer), -1.5, -1.5)
+
+    @unittest.skipUnless("ray-cast" in vtkshadows.techniques(), "a build without Embree")
+    def test_error(self):
+        vtkshadows.enable(SCENE.renderer, "depth-map", resolution=1024)
+        SCENE.window.Render()
+        fine = vtkshadows.error(SCENE.renderer)
+        print(fine)
+        self.check_mask(fine.visibility)
+        self.check_mask(fine.truth)
+        self.assertEqual((fine.error_map.shape, fine.error_map.dtype), ((HEIGHT, WIDTH, 3), numpy.uint8))
+        self.assert_shadow_at(fine.truth, -1.5, -1.5)
+        self.assertGreater(fine.shadow_pixels, SHADOW_AREA)
+        self.assertLess(fine.shadow_pixels, fine.receiver_pixels)
+        self.assertLess(fine.mismatch_percent, 0.5)
+        self.assertEqual(fine.gross_pixels, 0)
+
+        # The measure must see a bad technique: one that shadows nothing misses the whole shadow.
+        vtkshadows.enable(SCENE.renderer, "none")
+        SCENE.window.Render()
+        bad = vtkshadows.error(SCENE.renderer)
+        print(bad)
+        self.assertEqual(bad.mismatch_pixels, bad.shadow_pixels)
+        self.assertEqual(bad.gross_false_pixels, 0)
+        self.assertGreater(bad.gross_missed_pixels, SHADOW_AREA)
+        self.assertEqual(bad.gross_pixels, bad.gross_missed_pixels)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

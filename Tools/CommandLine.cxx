@@ -1,0 +1,246 @@
+#include "CommandLine.h"
+
+#include "Failure.h"
+#include "Techniques.h"
+
+#include <CLI/CLI.hpp>
+#include <vtkVersion.h>
+
+#include <algorithm>
+
+namespace vtkshadows
+{
+namespace
+{
+
+// The options as they are written.
+struct RawOptions
+{
+  std::vector<std::string> inputs;
+  std::string output;
+  std::vector<std::string> techniques;
+  std::vector<std::string> lights;
+  std::optional<std::string> camera;
+  std::optional<std::string> up;
+  std::string size = "1024x768";
+  std::string floor = "auto";
+  std::optional<std::string> visibility;
+  std::optional<std::string> json;
+  std::optional<int> resolution;
+  std::optional<double> isovalue;
+  std::optional<int> frames;
+  bool quiet = false;
+};
+
+void AddSharedOptions(CLI::App& app, RawOptions& raw)
+{
+  app.add_option("INPUT", raw.inputs, "meshes: " + KnownExtensions())->required();
+  app
+    .add_option("--light", raw.lights,
+      "a light; repeat for more. directional:DX,DY,DZ (the way it travels) or "
+      "spot:PX,PY,PZ:FX,FY,FZ:CONE (degrees from the axis) or point:PX,PY,PZ, then any of "
+      "@color=R,G,B @intensity=V @radius=V @strength=V @technique=NAME. "
+      "Default: one directional light from above")
+    ->type_name("SPEC")
+    ->allow_extra_args(false);
+  app.add_option("--camera", raw.camera, "PX,PY,PZ:FX,FY,FZ:UX,UY,UZ:ANGLE; default: fitted")
+    ->type_name("SPEC");
+  app
+    .add_option("--up", raw.up,
+      "the scene's up, for the floor and the fitted camera; default: the axis nearest to the "
+      "camera's up, else +y for glTF and +z for others")
+    ->type_name("X,Y,Z");
+  app.add_option("--size", raw.size, "pixels of the picture")
+    ->type_name("WxH")
+    ->capture_default_str();
+  app
+    .add_option(
+      "--floor", raw.floor, "auto (under the scene), none, or NX,NY,NZ,D: the plane n.x = D")
+    ->type_name("SPEC")
+    ->capture_default_str();
+  app.add_option("--resolution", raw.resolution, "texels along a side of a depth map")
+    ->type_name("N");
+  app
+    .add_option(
+      "--isovalue", raw.isovalue, "where images are contoured; default: middle of the range")
+    ->type_name("V");
+  app.add_option("--json", raw.json, "write figures of error and time")->type_name("FILE");
+  app.add_option("--frames", raw.frames, "frames of each kind to time; default: 15, fewer if slow")
+    ->type_name("N");
+  app.add_flag("--quiet", raw.quiet, "say nothing but errors");
+}
+
+CLI::App* AddRender(CLI::App& app, RawOptions& raw)
+{
+  CLI::App* render = app.add_subcommand("render", "one picture");
+  render->add_option("-o,--output", raw.output, "the picture, .png")
+    ->required()
+    ->type_name("IMAGE");
+  render->add_option("--technique", raw.techniques, "of every light: " + KnownTechniques())
+    ->type_name("NAME")
+    ->expected(1);
+  render
+    ->add_option("--visibility", raw.visibility,
+      "also write each light's visibility, FILE-0.png, FILE-1.png, ...: 255 seen, 0 shadow")
+    ->type_name("FILE.png");
+  AddSharedOptions(*render, raw);
+  return render;
+}
+
+CLI::App* AddCompare(CLI::App& app, RawOptions& raw)
+{
+  CLI::App* compare = app.add_subcommand(
+    "compare", "every technique on the same view: pictures, masks, error maps, table, JSON");
+  compare->add_option("-o,--output", raw.output, "the folder; made if it is missing")
+    ->required()
+    ->type_name("FOLDER");
+  compare
+    ->add_option("--techniques,--technique", raw.techniques,
+      "those to compare, of " + KnownTechniques() + "; default: all but none")
+    ->type_name("A,B,...")
+    ->delimiter(',')
+    ->allow_extra_args(false);
+  AddSharedOptions(*compare, raw);
+  return compare;
+}
+
+void CheckCount(const std::string& option, const std::optional<int>& count)
+{
+  if (count && *count < 1)
+  {
+    throw Failure(option, std::to_string(*count), "is less than 1", "give 1 or more");
+  }
+}
+
+StageSettings InterpretStage(const RawOptions& raw)
+{
+  StageSettings stage;
+  for (const std::string& text : raw.lights)
+  {
+    stage.lights.push_back(ParseLight(text));
+    const std::string& technique = stage.lights.back().technique;
+    if (!technique.empty())
+    {
+      RequireTechnique("--light @technique", technique);
+    }
+  }
+  if (raw.camera)
+  {
+    stage.camera = ParseCamera(*raw.camera);
+  }
+  if (raw.up)
+  {
+    stage.up = ParseUp(*raw.up);
+  }
+  stage.size = ParseSize(raw.size);
+  stage.floor = ParseFloor(raw.floor);
+  stage.resolution = raw.resolution;
+  return stage;
+}
+
+// Each name once, in the order given.
+std::vector<std::string> InterpretTechniques(const RawOptions& raw, const std::string& option)
+{
+  std::vector<std::string> techniques;
+  for (const std::string& name : raw.techniques)
+  {
+    RequireTechnique(option, name);
+    if (std::find(techniques.begin(), techniques.end(), name) == techniques.end())
+    {
+      techniques.push_back(name);
+    }
+  }
+  return techniques;
+}
+
+std::vector<std::string> TechniquesToCompare(const RawOptions& raw, const StageSettings& stage)
+{
+  for (const LightSpec& light : stage.lights)
+  {
+    if (!light.technique.empty())
+    {
+      throw Failure("--light @technique", light.technique,
+        "has no meaning in compare, where every light has each technique in turn",
+        "leave it out, or use render");
+    }
+  }
+  std::vector<std::string> techniques = InterpretTechniques(raw, "--techniques");
+  if (techniques.empty())
+  {
+    techniques = TechniqueNames();
+    techniques.erase(std::remove(techniques.begin(), techniques.end(), "none"), techniques.end());
+  }
+  return techniques;
+}
+
+Options Interpret(const RawOptions& raw, Job job)
+{
+  CheckCount("--frames", raw.frames);
+  CheckCount("--resolution", raw.resolution);
+
+  Options options;
+  options.inputs = raw.inputs;
+  options.output = raw.output;
+  options.visibility = raw.visibility;
+  options.json = raw.json;
+  options.isovalue = raw.isovalue;
+  options.frames = raw.frames.value_or(0);
+  options.quiet = raw.quiet;
+  options.stage = InterpretStage(raw);
+  if (job == Job::Compare)
+  {
+    options.techniques = TechniquesToCompare(raw, options.stage);
+  }
+  else
+  {
+    options.techniques = InterpretTechniques(raw, "--technique");
+    if (options.techniques.empty())
+    {
+      options.techniques.push_back("depth-map");
+    }
+  }
+  return options;
+}
+
+std::string VersionText()
+{
+  return std::string("vtkshadows ") + VTKSHADOWS_VERSION + " (VTK " + vtkVersion::GetVTKVersion() +
+    "; techniques: " + KnownTechniques() + ")";
+}
+
+}
+
+CommandLine ParseCommandLine(int argc, char** argv)
+{
+  RawOptions raw;
+  CLI::App app(
+    "Selectable, measured shadows: pictures of meshes, and how far each technique is from "
+    "the truth.",
+    "vtkshadows");
+  app.set_version_flag("--version", VersionText());
+  app.require_subcommand(1);
+  CLI::App* render = AddRender(app, raw);
+  CLI::App* compare = AddCompare(app, raw);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      app.exit(error);
+      return {};
+    }
+    const std::string subcommand = render->parsed() ? "render "
+      : compare->parsed()                           ? "compare "
+                                                    : "";
+    throw UsageError(
+      std::string("command line: ") + error.what() + "; see vtkshadows " + subcommand + "--help");
+  }
+
+  const Job job = render->parsed() ? Job::Render : Job::Compare;
+  return { job, Interpret(raw, job) };
+}
+
+}

@@ -1,0 +1,52 @@
+// What was measured, as a table for people and as JSON for programs.
+#ifndef vtkshadows_Report_h
+#define vtkshadows_Report_h
+
+#include "FrameTimings.h"
+
+#include <vtkType.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vtkshadows
+{
+
+// As vtkShadowErrorMeasure has it, against the ray-cast truth.
+struct LightError
+{
+  vtkIdType receiverPixels = 0;
+  vtkIdType shadowPixels = 0;
+  vtkIdType grossFalsePixels = 0;
+  vtkIdType grossMissedPixels = 0;
+  double mismatchPercent = 0.0;
+  double meanAbsoluteDifference = 0.0;
+};
+
+// One light by one technique. The timings are those of the whole frame, with all its lights.
+struct ReportRow
+{
+  std::string technique;
+  int light = 0;                   // from 0, as masks are numbered
+  std::optional<LightError> error; // none without Embree
+  FrameTimings timings;
+};
+
+struct Report
+{
+  std::vector<ReportRow> rows;
+  vtkIdType triangles = 0;
+  std::string vtkVersion;
+  std::string openGLRenderer;
+};
+
+std::string TableOf(const Report& report);
+
+// An array of one object per technique and light; figures of the error are null where there is
+// none.
+std::string JsonOf(const Report& report);
+
+}
+
+#endif

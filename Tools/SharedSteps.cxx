@@ -1,0 +1,36 @@
+#include "SharedSteps.h"
+
+#include "Display.h"
+#include "Progress.h"
+#include "VtkMessages.h"
+
+namespace vtkshadows
+{
+
+std::unique_ptr<Stage> PrepareStage(const Options& options, Progress& progress)
+{
+  const std::vector<Mesh> meshes = LoadMeshes(options.inputs, options.isovalue, progress);
+  const bool ownDisplay = ProvideDisplay();
+  auto stage = std::make_unique<Stage>(meshes, options.stage);
+  if (ownDisplay)
+  {
+    progress.Note("there is no X display: rendering on an Xvfb of its own");
+  }
+  NoteVtkWarnings(progress);
+  return stage;
+}
+
+void NoteVtkWarnings(Progress& progress)
+{
+  for (const std::string& warning : TakeVtkWarnings())
+  {
+    progress.Note("note: " + warning);
+  }
+}
+
+void NoteNoErrors(Progress& progress)
+{
+  progress.Note("note: errors are not measured: this build has no ray cast; build it with Embree");
+}
+
+}

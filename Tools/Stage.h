@@ -1,0 +1,83 @@
+// The scene in its one off-screen window: meshes, floor, lights, camera and the shadow pass.
+#ifndef vtkshadows_Stage_h
+#define vtkshadows_Stage_h
+
+#include "MeshLoader.h"
+#include "Specs.h"
+#include "View.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkLight;
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkShadowPass;
+
+namespace vtkshadows
+{
+
+struct StageSettings
+{
+  std::vector<LightSpec> lights; // none: DefaultLight
+  std::optional<CameraSpec> camera;
+  std::optional<glm::dvec3> up;
+  FloorSpec floor;
+  WindowSize size;
+  std::optional<int> resolution; // of depth maps, texels
+};
+
+class Stage
+{
+public:
+  // Opens the window; one Stage a process. Throws Failure if it cannot be opened or is too large.
+  Stage(const std::vector<Mesh>& meshes, const StageSettings& settings);
+  ~Stage();
+
+  vtkRenderer* Renderer() { return this->renderer; }
+  vtkShadowPass* Shadows() { return this->shadows; }
+  const std::vector<vtkSmartPointer<vtkLight>>& Lights() const { return this->lights; }
+  const SceneAxes& Axes() const { return this->axes; }
+  const SceneExtent& Extent() const { return this->extent; }
+
+  // Every light by `technique`, but those whose LightSpec names one.
+  void UseTechnique(const std::string& technique);
+  std::string TechniqueOf(std::size_t light);
+
+  // Shadows on or off, as a user turns them: by the renderer's pass.
+  void ShowShadows(bool shown);
+
+  // Draw a frame and wait until it is done. Throws Failure at the first error of VTK's.
+  void Render();
+
+  // The last frame, RGB bytes.
+  vtkSmartPointer<vtkImageData> Picture();
+
+  vtkIdType NumberOfTriangles() const; // of the meshes and the floor
+  std::string OpenGLRenderer();        // as the driver calls itself
+
+private:
+  void OpenWindow(const WindowSize& size);
+  void AddMeshes(const std::vector<Mesh>& meshes);
+  void AddFloor(const FloorSpec& floor);
+  void AddLight(const LightSpec& spec);
+  void PlaceCamera(const CameraSpec& spec);
+
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkShadowPass> shadows;
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  SceneAxes axes;
+  SceneExtent extent;
+  vtkIdType numberOfTriangles = 0;
+};
+
+}
+
+#endif
