@@ -2,6 +2,15 @@
 # The build tree is usable as it is: PYTHONPATH=build/lib/python3/dist-packages.
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+execute_process(
+  COMMAND "${Python3_EXECUTABLE}" -c "import numpy, vtkmodules.vtkRenderingCore"
+  RESULT_VARIABLE import_failed OUTPUT_QUIET ERROR_QUIET)
+if (import_failed)
+  message(WARNING "${Python3_EXECUTABLE} cannot import numpy and vtkmodules, which the Python package "
+    "vtkshadows needs. Install them, or name the Python that this VTK was built for: "
+    "-DPython3_EXECUTABLE=/usr/bin/python3")
+endif ()
+
 vtk_module_wrap_python(
   MODULES ${vtkshadows_modules}
   PYTHON_PACKAGE vtkshadows
@@ -11,6 +20,7 @@ vtk_module_wrap_python(
   INSTALL_EXPORT ${vtkshadows_export}
   INSTALL_HEADERS OFF
   BUILD_STATIC OFF
+  BUILD_PYI_FILES ON
   # Also the name of a header in include/: not Python, which would hide Python.h.
   TARGET VtkShadows::PassesPython)
 

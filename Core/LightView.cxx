@@ -144,7 +144,7 @@ glm::dvec2 LeastAreaAxis(const std::vector<glm::dvec2>& points)
   return best;
 }
 
-// Sides of the map: `margin` of its width beyond the rectangle, and never of width zero.
+// Sides of the map: `margin` of the longer one beyond the rectangle on every side, and never of width zero.
 Rectangle WithMargin(const Rectangle& box, double margin)
 {
   const glm::dvec2 centre = 0.5 * (box.low + box.high);
@@ -152,7 +152,8 @@ Rectangle WithMargin(const Rectangle& box, double margin)
   const double thinnest = std::max(
     std::max(half.x, half.y) / 1024.0, std::numeric_limits<double>::epsilon() * 16.0 *
       std::max({ std::abs(centre.x), std::abs(centre.y), std::numeric_limits<double>::min() }));
-  half = glm::max(half, glm::dvec2(thinnest)) / (1.0 - 2.0 * margin);
+  half = glm::max(half, glm::dvec2(thinnest));
+  half += 2.0 * margin / (1.0 - 2.0 * margin) * std::max(half.x, half.y);
   return { centre - half, centre + half };
 }
 

@@ -39,7 +39,7 @@ struct LightViewResult
 };
 
 // Fit one view of `light` around the part of `casters` that can throw a shadow on `receivers`.
-// The map's sides lie `margin` (share of the map's width, e.g. 2 texels / resolution) outside it.
+// The map's sides lie `margin` (share of its longer side, e.g. 2 texels / resolution) outside it.
 // The depth range is that of the casters alone: a receiver beyond it is behind every caster, one
 // before it is before every caster, and both compare rightly without being inside.
 // Precondition: corners are finite.

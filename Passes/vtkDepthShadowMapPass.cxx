@@ -13,9 +13,11 @@
 #include "vtkShaderProgram.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkDepthShadowMapPass);
@@ -30,6 +32,10 @@ using vtkshadows::ShadowLight;
 
 // Texels left free on each side of a map, so that the four around any receiver lie in it.
 constexpr double MarginTexels = 2.0;
+
+// Columns that a layer has beyond its map: without them rows of a power of two fall on the same few lines of
+// a processor's cache.
+constexpr int PaddingTexels = 16;
 
 // Whether the flat piece has every receiver on the light's side of its plane, or on it: then nothing can
 // lie in its shadow.
@@ -61,12 +67,54 @@ bool CastsOnNothing(const vtkShadowScene::Piece& piece, const ShadowLight& light
   return true;
 }
 
-// A matrix that maps every point to w = -1, the lookup's sign for "lit".
-glm::dmat4 LitEverywhere()
+// A matrix as GLSL takes it.
+using ShaderMatrix = std::array<float, 16>;
+
+ShaderMatrix ToShader(const glm::dmat4& m)
 {
-  glm::dmat4 m(0.0);
-  m[3][3] = -1.0;
-  return m;
+  ShaderMatrix out;
+  for (int i = 0; i < 16; ++i)
+  {
+    out[i] = static_cast<float>(m[i / 4][i % 4]);
+  }
+  return out;
+}
+
+// Takes every point nearer to the light than any caster.
+const ShaderMatrix LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 1 };
+
+// From the eye's view coordinates to a map of width x height texels, all in double; the eye's view
+// coordinates are what floats get. Depth is less by a bound of its rounding on the casters, on which a
+// rounding could show as acne: a depth is a sum of terms, each rounded, that may be far larger than itself
+// (an eye far from a small scene). In a perspective map w has its share, by the largest depth, 1.
+glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width, int height,
+  const std::vector<BoxCorners>& castersWC)
+{
+  const glm::dvec3 half(0.5 * width, 0.5 * height, 0.5);
+  const glm::dmat4 mapFromClip = glm::scale(glm::translate(glm::dmat4(1.0), half), half);
+  glm::dmat4 map =
+    mapFromClip * view.clipFromView * (view.viewFromWorld * glm::inverse(viewFromWorld));
+
+  double farthest = 0.0;
+  for (const BoxCorners& corners : castersWC)
+  {
+    for (const glm::dvec3& corner : corners)
+    {
+      farthest =
+        std::max(farthest, glm::length(glm::dvec3(viewFromWorld * glm::dvec4(corner, 1.0))));
+    }
+  }
+  const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
+  const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
+  const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
+  map[3][2] -= std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24);
+  return map;
+}
+
+// Texels of a side that is `share` of the longest; never none.
+int TexelsOf(int resolution, double share)
+{
+  return std::clamp(static_cast<int>(std::ceil(resolution * share)), 1, resolution);
 }
 
 // What a map was drawn from: equal states give equal maps.
@@ -93,11 +141,9 @@ class vtkDepthShadowMapPass::Internals
 public:
   vtkShadowTextureArray Maps;
   std::vector<MapState> States;  // one a slot
-  std::vector<float> Matrices;   // one a slot, from the eye's view to the map, column-major
+  std::vector<ShaderMatrix> Matrices; // one a slot
   int UsedResolution = 0;
   int RefusedResolution = 0;
-
-  void SetMatrix(int slot, const glm::dmat4& mapFromView);
 };
 
 //------------------------------------------------------------------------------
@@ -125,7 +171,7 @@ void vtkDepthShadowMapPass::SetResolution(int resolution)
 }
 
 //------------------------------------------------------------------------------
-int vtkDepthShadowMapPass::ResolutionOfDriver()
+int vtkDepthShadowMapPass::ResolutionOfDriver() const
 {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
@@ -150,8 +196,8 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
   Internals& my = *this->Internal;
   const int slots = static_cast<int>(lights.size());
   my.UsedResolution = this->ResolutionOfDriver();
-  if (my.Maps.Reserve(frame.Window, vtkShadowTextureArray::Format::Depth32F, my.UsedResolution,
-        my.UsedResolution, slots))
+  if (my.Maps.Reserve(frame.Window, vtkShadowTextureArray::Format::Depth32F,
+        my.UsedResolution + PaddingTexels, my.UsedResolution, slots))
   {
     my.States.clear();
   }
@@ -166,7 +212,7 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
   this->WarnOnce(this, "");
 
   my.States.resize(slots);
-  my.Matrices.resize(std::size_t(16) * slots);
+  my.Matrices.resize(slots);
   for (int slot = 0; slot < slots; ++slot)
   {
     this->UpdateMap(frame, lights[slot], slot);
@@ -219,10 +265,15 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
       : "");
   if (fitted.fit != vtkshadows::LightViewFit::Fitted)
   {
-    my.SetMatrix(slot, LitEverywhere());
+    my.Matrices[slot] = LitEverywhere;
     my.States[slot] = MapState();
     return;
   }
+
+  // Square texels: the shorter side has fewer.
+  const double aspect = fitted.view.clipFromView[0][0] / fitted.view.clipFromView[1][1];
+  const int width = TexelsOf(my.UsedResolution, 1.0 / aspect);
+  const int height = TexelsOf(my.UsedResolution, aspect);
 
   wanted.Drawn = true;
   wanted.View = fitted.view;
@@ -230,53 +281,40 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
   if (!(my.States[slot] == wanted))
   {
     vtkShadowDrawScope target(frame.Window, my.Maps, slot);
+    // All of the layer is cleared, and its outermost texels stay so: what lies off the map is lit.
     target.Clear(nullptr);
+    target.Confine(width, height, 1);
     frame.Shading->DrawCasters(frame, wanted.Casters, fitted.view);
     ++this->NumberOfMapBuilds;
     my.States[slot] = wanted;
   }
 
-  // Clip space -1..1 to the map's 0..1, all in double; the eye's view coordinates are what floats get.
-  const glm::dmat4 mapFromClip =
-    glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
-  my.SetMatrix(slot,
-    mapFromClip * fitted.view.clipFromView *
-      (fitted.view.viewFromWorld * glm::inverse(frame.ViewFromWorld)));
-}
-
-//------------------------------------------------------------------------------
-void vtkDepthShadowMapPass::Internals::SetMatrix(int slot, const glm::dmat4& mapFromView)
-{
-  for (int column = 0; column < 4; ++column)
-  {
-    for (int row = 0; row < 4; ++row)
-    {
-      this->Matrices[std::size_t(16) * slot + 4 * column + row] =
-        static_cast<float>(mapFromView[column][row]);
-    }
-  }
+  my.Matrices[slot] =
+    ToShader(MapFromView(fitted.view, frame.ViewFromWorld, width, height, casters));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkDepthShadowMapPass::GetLookupDeclarations() const
 {
-  // Asked for before the maps are drawn, so by the slots that are planned.
-  return "#define SHADOW_DEPTH_MAP_SLOTS " + std::to_string(this->GetNumberOfSlots()) + "\n" +
-    vtkDepthShadowMapPassLookup;
+  const int side = this->ResolutionOfDriver();
+  return "#define SHADOW_DEPTH_MAP_WIDTH " + std::to_string(side + PaddingTexels) +
+    "\n#define SHADOW_DEPTH_MAP_HEIGHT " + std::to_string(side) + "\n" + vtkDepthShadowMapPassLookup;
 }
 
-std::string vtkDepthShadowMapPass::GetLookupFunction() const
+std::string vtkDepthShadowMapPass::GetLookupFunction(const vtkshadows::ShadowLight& light) const
 {
-  return "shadowDepthMapVisibility";
+  return light.kind == LightKind::Directional ? "shadowDepthMapParallel"
+                                              : "shadowDepthMapPerspective";
 }
 
-//------------------------------------------------------------------------------
-void vtkDepthShadowMapPass::SetLookupUniforms(vtkShaderProgram* program)
+const float* vtkDepthShadowMapPass::GetLookupMatrix(int slot) const
 {
-  Internals& my = *this->Internal;
-  program->SetUniformMatrix4x4v("shadowDepthMapFromView",
-    static_cast<int>(my.Matrices.size() / 16), my.Matrices.data());
-  program->SetUniformf("shadowDepthMapResolution", static_cast<float>(my.UsedResolution));
+  return this->Internal->Matrices[slot].data();
+}
+
+const float* vtkDepthShadowMapPass::GetLitMatrix() const
+{
+  return LitEverywhere.data();
 }
 
 //------------------------------------------------------------------------------

@@ -42,8 +42,9 @@ public:
 
   ///@{
   /**
-   * Width and height of each map in texels, 1 or more (default 2048). Above the driver's limit: an error
-   * at the next frame that names the limit, which is then used.
+   * Texels on the longer side of each map, 1 or more (default 2048); the shorter side has as many as its
+   * length asks for, so that texels are square. Above the driver's limit: an error at the next frame that
+   * names the limit, which is then used.
    */
   void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);
@@ -64,8 +65,9 @@ protected:
 
   bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   std::string GetLookupDeclarations() const override;
-  std::string GetLookupFunction() const override;
-  void SetLookupUniforms(vtkShaderProgram* program) override;
+  std::string GetLookupFunction(const vtkshadows::ShadowLight& light) const override;
+  const float* GetLookupMatrix(int slot) const override;
+  const float* GetLitMatrix() const override;
   vtkShadowTextureArray* GetTextures() override;
   std::string GetSamplerName() const override { return "shadowDepthMaps"; }
 
@@ -76,7 +78,7 @@ private:
   vtkDepthShadowMapPass(const vtkDepthShadowMapPass&) = delete;
   void operator=(const vtkDepthShadowMapPass&) = delete;
 
-  int ResolutionOfDriver();
+  int ResolutionOfDriver() const;
   void UpdateMap(const vtkShadowFrame& frame, int light, int slot);
 
   class Internals;

@@ -4,6 +4,8 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowTextureArray.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   const vtkShadowTextureArray& depth, int depthLayer, const vtkShadowTextureArray* colour,
@@ -49,6 +51,15 @@ vtkShadowDrawScope::~vtkShadowDrawScope()
 {
   this->State->PopFramebufferBindings();
   glDeleteFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowDrawScope::Confine(int width, int height, int border)
+{
+  this->State->vtkglViewport(0, 0, width, height);
+  this->State->vtkglEnable(GL_SCISSOR_TEST);
+  this->State->vtkglScissor(
+    border, border, std::max(width - 2 * border, 0), std::max(height - 2 * border, 0));
 }
 
 //------------------------------------------------------------------------------

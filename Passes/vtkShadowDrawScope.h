@@ -21,6 +21,9 @@ public:
   // false: the driver cannot draw into this; nothing must be drawn.
   bool IsComplete() const { return this->Complete; }
 
+  // Map clip space to the lower left width x height texels, and leave the outer `border` of them alone.
+  void Confine(int width, int height, int border);
+
   // Depth to 1, colour to rgba.
   void Clear(const float rgba[4]);
 

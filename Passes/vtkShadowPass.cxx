@@ -202,6 +202,7 @@ vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
     frame.Renderer->GetTiledSizeAndOrigin(
       &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
   }
+  frame.HasDelegate = this->Delegate != nullptr;
   frame.ViewFromWorld =
     vtkShadowMatrix::ToGlm(frame.Renderer->GetActiveCamera()->GetModelViewTransformMatrix());
   return frame;
@@ -232,6 +233,7 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
     if (entry.Technique)
     {
       entry.Slot = entry.Technique->NumberOfSlots++;
+      entry.LookupFunction = entry.Technique->GetLookupFunction(lights[i].Ray);
     }
     plan.push_back(entry);
   }
@@ -372,7 +374,6 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* w)
   {
     technique->ReleaseGraphicsResources(w);
   }
-  this->Internal->Shading->ReleaseGraphicsResources(w);
   this->Internal->Receivers.Release();
   if (this->Internal->Delegate)
   {

@@ -61,6 +61,7 @@ struct vtkShadowFrame
   vtkShadowReceiverBuffer* Receivers = nullptr; // Draw() it if you need it; drawn once a frame
   int Size[2] = { 0, 0 };                       // of the viewport in pixels
   int Origin[2] = { 0, 0 };                     // of the viewport in its framebuffer
+  bool HasDelegate = false;                     // who may draw into a framebuffer of another size
   glm::dmat4 ViewFromWorld{ 1.0 };              // the eye's
 };
 

@@ -83,13 +83,20 @@ protected:
 
   ///@{
   /**
-   * LOOKUP: GLSL 1.50 that declares `float f(int slot, vec4 positionVC)` with its uniforms and its sampler;
-   * f's name; and setting its uniforms but the sampler. Every name in it begins with "shadow".
+   * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int slot, vec4 position)`; the name of f for
+   * a light; and the matrix, column-major, that takes a receiver's position from the eye's view coordinates to
+   * the space that f wants it in, which vtkShadowedShadingPass applies. f may ask for screen derivatives.
+   * Every name in it begins with "shadow".
    */
   virtual std::string GetLookupDeclarations() const { return {}; }
-  virtual std::string GetLookupFunction() const { return {}; }
-  virtual void SetLookupUniforms(vtkShaderProgram*) {}
+  virtual std::string GetLookupFunction(const vtkshadows::ShadowLight&) const { return {}; }
+  virtual const float* GetLookupMatrix(int) const { return nullptr; }
   ///@}
+
+  /**
+   * LOOKUP: the matrix that makes every position lit, for what takes no shadows.
+   */
+  virtual const float* GetLitMatrix() const { return nullptr; }
 
   /**
    * Warn of `message` unless the last warning about `subject` said the same; an empty message

@@ -5,6 +5,7 @@
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTechniquePass.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowReceiverBufferFS.h"
 #include "vtkShadowedShadingPassFS.h"
 
 #include "vtkActor.h"
@@ -30,6 +31,8 @@ namespace
 const char* const DeclarationMark = "//SHADOW::Dec\n";
 const char* const LightMark = "//SHADOW::Light\n";
 const char* const OutputMark = "//SHADOW::Output\n";
+const char* const VertexDeclarationMark = "//SHADOW::VertexDec\n";
+const char* const VertexMark = "//SHADOW::Vertex\n";
 
 bool Mark(std::string& source, const char* mark, const std::string& tag)
 {
@@ -51,33 +54,39 @@ std::string Visibility(std::size_t light)
   return "shadowVisibility" + std::to_string(light);
 }
 
+std::string PositionVarying(std::size_t light)
+{
+  return "shadowPosition" + std::to_string(light);
+}
+
+std::string MatrixUniform(std::size_t light)
+{
+  return "shadowFromView" + std::to_string(light);
+}
+
+// Light spaces that go through the rasteriser; the others are transformed to in the fragment shader. Every
+// OpenGL takes 15 vectors, of which VTK needs some.
+constexpr std::size_t MostVaryings = 8;
+
 bool Declares(const std::string& source, const std::string& uniform)
 {
   return source.find("uniform vec3 " + uniform + ";") != std::string::npos;
 }
 
-// A shader of the user's own without VTK's tags: keep its colours out of the buffers of other stages.
-void GuardForeignShader(std::string& source)
+// The end of main in a shader of the user's own, which has no tag there.
+void AppendToMain(std::string& source, const std::string& code)
 {
-  const std::size_t entry = source.find("void main");
   const std::size_t end = source.rfind('}');
-  if (entry == std::string::npos || end == std::string::npos || end < entry)
+  if (end != std::string::npos)
   {
-    return;
+    source.insert(end, code);
   }
-  source.insert(
-    end, "  if (shadowStage >= 2) { gl_FragData[0] = vec4(shadowStage == 3 ? 1.0 : 0.0); }\n");
-  source.insert(entry, "uniform int shadowStage;\n");
 }
 
 }
 
 //------------------------------------------------------------------------------
-vtkShadowedShadingPass::vtkShadowedShadingPass()
-  : Placeholder(new vtkShadowTextureArray)
-{
-}
-
+vtkShadowedShadingPass::vtkShadowedShadingPass() = default;
 vtkShadowedShadingPass::~vtkShadowedShadingPass() = default;
 
 //------------------------------------------------------------------------------
@@ -102,7 +111,8 @@ void vtkShadowedShadingPass::SetPlan(const std::vector<LightPlan>& plan)
   std::ostringstream shape;
   for (const LightPlan& light : plan)
   {
-    shape << (light.Technique ? light.Technique->GetTechniqueName() : "-") << light.Slot << ' ';
+    shape << (light.Technique ? light.Technique->GetTechniqueName() : "-") << light.Slot
+          << light.LookupFunction << (light.Strength < 1.0f) << ' ';
   }
   for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
   {
@@ -119,10 +129,15 @@ void vtkShadowedShadingPass::SetPlan(const std::vector<LightPlan>& plan)
 void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
 {
   this->State = frame.Window->GetState();
-  this->Placeholder->Reserve(frame.Window, vtkShadowTextureArray::Format::R8, 1, 1, 1);
-  this->Placeholder->Activate();
   this->MaskSize[0] = static_cast<float>(frame.Size[0]);
   this->MaskSize[1] = static_cast<float>(frame.Size[1]);
+  // With a delegate, the frame may be drawn at another size than the viewport's.
+  const bool isPixels = frame.Origin[0] == 0 && frame.Origin[1] == 0 && !frame.HasDelegate;
+  if (isPixels != this->MaskIsPixels)
+  {
+    this->MaskIsPixels = isPixels;
+    this->ShaderStage.Modified();
+  }
   this->ParallelEye = frame.Renderer->GetActiveCamera()->GetParallelProjection() ? 1 : 0;
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
@@ -164,7 +179,6 @@ void vtkShadowedShadingPass::ActivateTextures()
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::Detach()
 {
-  this->Placeholder->Deactivate();
   for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
   {
     technique->GetTextures()->Deactivate();
@@ -190,7 +204,7 @@ void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
   const vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
   renderer->SetActiveCamera(this->CasterCamera);
-  this->CurrentStage = CASTERS;
+  this->SetStage(CASTERS);
   // What lies before the near plane still casts.
   glEnable(GL_DEPTH_CLAMP);
 
@@ -212,42 +226,114 @@ void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
   }
 
   glDisable(GL_DEPTH_CLAMP);
-  this->CurrentStage = SHADE;
+  this->SetStage(SHADE);
   renderer->SetActiveCamera(eye);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::DrawReceivers(const vtkShadowFrame& frame, Stage stage)
 {
-  this->CurrentStage = stage;
+  this->SetStage(stage);
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
     prop.Source->RenderOpaqueGeometry(frame.Renderer);
   }
-  this->CurrentStage = SHADE;
+  this->SetStage(SHADE);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkShadowedShadingPass::Declarations() const
 {
+  if (this->CurrentStage == POSITIONS)
+  {
+    return vtkShadowReceiverBufferFS;
+  }
   std::ostringstream code;
-  code << vtkShadowedShadingPassFS << "uniform int shadowParallelEye;\n";
+  bool anyMask = false;
   for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
   {
     if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
     {
       code << "uniform sampler2DArray " << technique->GetSamplerName() << ";\n";
+      anyMask = true;
     }
     code << technique->GetLookupDeclarations();
   }
+  if (anyMask && this->MaskIsPixels)
+  {
+    code << "#define SHADOW_MASK_TEXEL ivec2(gl_FragCoord.xy)\n" << vtkShadowedShadingPassFS;
+  }
+  else if (anyMask)
+  {
+    code << "uniform vec2 shadowMaskOrigin;\nuniform vec2 shadowMaskScale;\n"
+            "#define SHADOW_MASK_TEXEL ivec2((gl_FragCoord.xy - shadowMaskOrigin) * shadowMaskScale)\n"
+         << vtkShadowedShadingPassFS;
+  }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
-    if (this->Plan[i].Technique)
+    if (this->Plan[i].Technique && this->Plan[i].Strength < 1.0f)
     {
       code << "uniform float " << StrengthUniform(i) << ";\n";
     }
   }
   return code.str();
+}
+
+//------------------------------------------------------------------------------
+// The lights whose position goes through the rasteriser rather than being transformed for each fragment: a
+// software rasteriser reads the 16 uniforms of a matrix for every few pixels.
+std::vector<std::size_t> vtkShadowedShadingPass::LightsOfForm(
+  vtkShadowTechniquePass::VisibilityForm form) const
+{
+  std::vector<std::size_t> lights;
+  for (std::size_t i = 0; i < this->Plan.size(); ++i)
+  {
+    if (this->Plan[i].Technique && this->Plan[i].Technique->GetVisibilityForm() == form)
+    {
+      lights.push_back(i);
+    }
+  }
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedShadingPass::PlacePositions(
+  std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader) const
+{
+  std::vector<std::size_t> lookups;
+  if (this->CurrentStage == SHADE || this->CurrentStage == VISIBILITY)
+  {
+    lookups = this->LightsOfForm(vtkShadowTechniquePass::LOOKUP);
+  }
+  // Only where the fragment's position is the vertices' own: no impostor, no geometry shader.
+  const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
+  const std::size_t declared = fragmentShader.find(position);
+  const bool isPlain = geometryShader.empty() && declared != std::string::npos &&
+    fragmentShader.find("vertexVC.xyz =") == std::string::npos &&
+    fragmentShader.find(" vertexVC =", declared + position.size()) == std::string::npos &&
+    vertexShader.find("vertexVCVSOutput =") != std::string::npos &&
+    vertexShader.find(VertexMark) != std::string::npos;
+
+  std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
+  for (std::size_t n = 0; n < lookups.size(); ++n)
+  {
+    const std::string varying = PositionVarying(lookups[n]), matrix = MatrixUniform(lookups[n]);
+    if (isPlain && n < MostVaryings)
+    {
+      vertexDeclarations << "uniform mat4 " << matrix << ";\nout vec4 " << varying << ";\n";
+      vertexCode << "  " << varying << " = " << matrix << " * vertexVCVSOutput;\n";
+      fragmentDeclarations << "in vec4 " << varying << ";\n";
+    }
+    else
+    {
+      fragmentDeclarations << "uniform mat4 " << matrix << ";\n#define " << varying << " (" << matrix
+                           << " * vertexVC)\n";
+    }
+  }
+  vtkShaderProgram::Substitute(vertexShader, VertexDeclarationMark, vertexDeclarations.str());
+  vtkShaderProgram::Substitute(vertexShader, VertexMark, vertexCode.str());
+  vtkShaderProgram::Substitute(
+    fragmentShader, DeclarationMark, fragmentDeclarations.str() + this->Declarations());
 }
 
 //------------------------------------------------------------------------------
@@ -262,19 +348,20 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader)
       continue;
     }
     const bool isMask = light.Technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK;
-    code << "  float " << Visibility(i) << " = mix(1.0, ";
+    code << "  float " << Visibility(i) << " = ";
     if (isMask)
     {
       code << "shadowMaskVisibility(" << light.Technique->GetSamplerName() << ", " << light.Slot
-           << "), shadowReceivesMask);\n";
+           << ");\n";
     }
     else
     {
-      code << light.Technique->GetLookupFunction() << "(" << light.Slot
-           << ", vertexVC), shadowReceivesLookup);\n";
+      code << light.LookupFunction << "(" << light.Slot << ", " << PositionVarying(i) << ");\n";
     }
-    code << "  vec3 " << ColorUniform(i) << " = " << ColorUniform(i) << " * (1.0 - "
-         << StrengthUniform(i) << " * (1.0 - " << Visibility(i) << "));\n";
+    const std::string factor = light.Strength < 1.0f
+      ? "mix(1.0, " + Visibility(i) + ", " + StrengthUniform(i) + ")"
+      : Visibility(i);
+    code << "  vec3 " << ColorUniform(i) << " = " << ColorUniform(i) << " * " << factor << ";\n";
   }
   return code.str();
 }
@@ -282,30 +369,37 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader)
 //------------------------------------------------------------------------------
 std::string vtkShadowedShadingPass::OutputCode(const std::string& fragmentShader) const
 {
-  std::ostringstream code;
-  code << "  if (shadowStage == " << POSITIONS << ")\n  {\n"
-       << "    gl_FragData[0] = vec4(vertexVC.xyz, shadowReceivesLookup * "
-          "shadowNormalCode(shadowFaceNormal(vertexVC.xyz, shadowParallelEye)));\n  }\n"
-       << "  if (shadowStage == " << VISIBILITY << ")\n  {\n"
-       << "    gl_FragData[0] = vec4(1.0);\n";
-  for (std::size_t i = 0; i < this->Plan.size(); ++i)
+  if (this->CurrentStage == POSITIONS)
   {
-    if (this->Plan[i].Technique && Declares(fragmentShader, ColorUniform(i)))
-    {
-      code << "    if (shadowShownLight == " << i << ") { gl_FragData[0].r = " << Visibility(i)
-           << "; }\n";
-    }
+    return "  gl_FragData[0] = shadowReceiver(vertexVC.xyz);\n";
   }
-  code << "  }\n";
-  return code.str();
+  if (this->CurrentStage == VISIBILITY)
+  {
+    const std::size_t shown = static_cast<std::size_t>(this->ShownLight);
+    const bool hasLight = shown < this->Plan.size() && this->Plan[shown].Technique &&
+      Declares(fragmentShader, ColorUniform(shown));
+    return "  gl_FragData[0] = vec4(" + (hasLight ? Visibility(shown) : "1.0") + ");\n";
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string&, std::string&,
+bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, std::string&,
   std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
+  if (this->CurrentStage == CASTERS)
+  {
+    // VTK's shader, but a program of its own: what is set of its lights is another camera's.
+    return vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
+  }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
     "//VTK::System::Dec\n#extension GL_ARB_texture_gather : enable\n", false);
+  if (Mark(vertexShader, VertexDeclarationMark, "//VTK::PositionVC::Dec"))
+  {
+    const std::string tag = "//VTK::PositionVC::Impl";
+    vtkShaderProgram::Substitute(vertexShader, tag, tag + "\n" + VertexMark, false);
+  }
   const bool found = Mark(fragmentShader, DeclarationMark, "//VTK::Light::Dec") &&
     Mark(fragmentShader, LightMark, "//VTK::Light::Impl") &&
     Mark(fragmentShader, OutputMark, "//VTK::DepthPeeling::Impl");
@@ -323,108 +417,125 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string&, std::string&,
     {
       vtkShaderProgram::Substitute(fragmentShader, mark, "");
     }
-    GuardForeignShader(fragmentShader);
+    if (this->CurrentStage != SHADE)
+    {
+      AppendToMain(fragmentShader, this->NoReceiver());
+    }
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowedShadingPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   // VTK declares a position and colours of lights only where a primitive is lit.
   const bool isLit = Declares(fragmentShader, ColorUniform(0)) &&
     fragmentShader.find("vec4 vertexVC = ") != std::string::npos;
-  if (isLit)
-  {
-    vtkShaderProgram::Substitute(fragmentShader, LightMark, this->LightCode(fragmentShader));
-    vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->OutputCode(fragmentShader));
-    vtkShaderProgram::Substitute(fragmentShader, DeclarationMark, this->Declarations());
-  }
-  else
+  if (!isLit)
   {
     vtkShaderProgram::Substitute(fragmentShader, LightMark, "");
-    vtkShaderProgram::Substitute(fragmentShader, OutputMark,
-      "  if (shadowStage >= 2) { gl_FragData[0] = vec4(shadowStage == 3 ? 1.0 : 0.0); }\n");
-    vtkShaderProgram::Substitute(fragmentShader, DeclarationMark, "uniform int shadowStage;\n");
+    vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->NoReceiver());
+    return true;
   }
+  vtkShaderProgram::Substitute(fragmentShader, LightMark,
+    this->CurrentStage == POSITIONS ? std::string() : this->LightCode(fragmentShader));
+  vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->OutputCode(fragmentShader));
+  this->PlacePositions(vertexShader, geometryShader, fragmentShader);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// What a pixel without a receiver says in this stage.
+std::string vtkShadowedShadingPass::NoReceiver() const
+{
+  return this->CurrentStage == POSITIONS ? "  gl_FragData[0] = vec4(0.0);\n"
+    : this->CurrentStage == VISIBILITY   ? "  gl_FragData[0] = vec4(1.0);\n"
+                                         : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedShadingPass::SetStage(Stage stage)
+{
+  if (stage != this->CurrentStage)
+  {
+    this->CurrentStage = stage;
+    this->ShaderStage.Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowedShadingPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  program->SetUniformi("shadowStage", this->CurrentStage);
-
-  // VTK sets a program's lights only when they are newer than what it set last. In other stages than the
-  // frame's own they must not be set (a caster's camera is not the eye), and then they must again.
-  const bool isFrame = this->CurrentStage == SHADE;
-  if (!isFrame)
-  {
-    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
-  }
-  else if (program->GetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup) == VTK_MTIME_MAX)
-  {
-    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  }
-  // What is being drawn into must not be sampled: before the frame itself, samplers read a placeholder.
-  const bool readsVisibility = isFrame || this->CurrentStage == VISIBILITY;
-  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
-  {
-    vtkShadowTextureArray* textures = readsVisibility ? technique->GetTextures() : nullptr;
-    program->SetUniformi(technique->GetSamplerName().c_str(),
-      textures && textures->Unit() >= 0 ? textures->Unit() : this->Placeholder->Unit());
-    if (readsVisibility)
-    {
-      technique->SetLookupUniforms(program);
-    }
-  }
-
   if (this->CurrentStage == CASTERS)
   {
-    // Every face casts, and a translucent caster writes its depth, too.
+    // Every face casts, and a translucent caster writes its depth, too. The lights need not be set, and
+    // must not be: this camera is not the eye.
     this->State->vtkglDisable(GL_CULL_FACE);
     this->State->vtkglDepthMask(GL_TRUE);
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;
   }
 
   const auto known = this->Receives.find(prop);
   const bool receives = known == this->Receives.end() || known->second;
-  auto* actor = vtkActor::SafeDownCast(prop);
-  const bool isTranslucent = actor && actor->IsRenderingTranslucentPolygonalGeometry();
-  program->SetUniformf("shadowReceivesLookup", receives ? 1.0f : 0.0f);
-  program->SetUniformf("shadowReceivesMask", receives && !isTranslucent ? 1.0f : 0.0f);
-  program->SetUniformi("shadowParallelEye", this->ParallelEye);
-  program->SetUniformi("shadowShownLight", this->ShownLight);
+  if (this->CurrentStage == POSITIONS)
+  {
+    program->SetUniformf("shadowIsReceiver", receives ? 1.0f : 0.0f);
+    program->SetUniformi("shadowParallelEye", this->ParallelEye);
+    return true;
+  }
+
+  for (const std::size_t i : this->LightsOfForm(vtkShadowTechniquePass::LOOKUP))
+  {
+    const LightPlan& light = this->Plan[i];
+    float matrix[16];
+    std::copy_n(receives ? light.Technique->GetLookupMatrix(light.Slot)
+                         : light.Technique->GetLitMatrix(),
+      16, matrix);
+    program->SetUniformMatrix4x4(MatrixUniform(i).c_str(), matrix);
+  }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
-    if (this->Plan[i].Technique)
+    if (this->Plan[i].Technique && this->Plan[i].Strength < 1.0f)
     {
       program->SetUniformf(StrengthUniform(i).c_str(), this->Plan[i].Strength);
     }
   }
+  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
+  {
+    program->SetUniformi(technique->GetSamplerName().c_str(), technique->GetTextures()->Unit());
+  }
+  this->SetMaskParameters(program, prop, receives);
+  return true;
+}
 
-  // A mask covers the viewport, whatever its size in the framebuffer that is drawn to.
+//------------------------------------------------------------------------------
+void vtkShadowedShadingPass::SetMaskParameters(
+  vtkShaderProgram* program, vtkProp* prop, bool receives)
+{
+  // A mask knows the opaque receivers only.
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool isTranslucent = actor && actor->IsRenderingTranslucentPolygonalGeometry();
+  program->SetUniformf("shadowReceivesMask", receives && !isTranslucent ? 1.0f : 0.0f);
+  if (this->MaskIsPixels)
+  {
+    return;
+  }
+  // It covers the viewport, wherever that lies and whatever its size in the framebuffer drawn to.
   int viewport[4];
   this->State->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
   const float scale[2] = { this->MaskSize[0] / viewport[2], this->MaskSize[1] / viewport[3] };
   program->SetUniform2f("shadowMaskOrigin", origin);
   program->SetUniform2f("shadowMaskScale", scale);
-  return true;
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkShadowedShadingPass::GetShaderStageMTime()
 {
   return this->ShaderStage.GetMTime();
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowedShadingPass::ReleaseGraphicsResources(vtkWindow*)
-{
-  this->Placeholder->Release();
 }
 
 //------------------------------------------------------------------------------

@@ -10,8 +10,9 @@
  * a local variable that hides the uniform, so that every lighting model of VTK's (Gouraud, flat, PBR with
  * coat) is shadowed alike and no light equation is matched by its text.
  *
- * The same program serves the other draws of a frame (casters into a map, receivers into a buffer), told by
- * a uniform: a mapper's shader is built once and not again at each stage.
+ * The other draws of a frame (casters into a map, receivers into a buffer) go through the same mappers with
+ * a shader of their stage, without the lookups: a software rasteriser would evaluate them although
+ * nothing of them is kept. A change of stage costs each mapper a look into VTK's shader cache.
  *
  * @sa vtkShadowPass vtkShadowTechniquePass
  */
@@ -21,9 +22,9 @@
 #include "vtkNew.h" // for the caster camera
 #include "vtkOpenGLRenderPass.h"
 #include "vtkShadowsPassesModule.h" // for export macro
+#include "vtkShadowTechniquePass.h" // for the plan
 #include "vtkSmartPointer.h"        // for the keys attached to
 
-#include <memory>        // for std::unique_ptr
 #include <string>        // for std::string
 #include <unordered_map> // for what is known of a prop
 #include <vector>        // for the plan
@@ -32,8 +33,6 @@ class vtkInformation;
 class vtkOpenGLState;
 class vtkShadowCasterCamera;
 class vtkShadowScene;
-class vtkShadowTechniquePass;
-class vtkShadowTextureArray;
 struct vtkShadowFrame;
 namespace vtkshadows
 {
@@ -51,16 +50,15 @@ public:
    * Nothing by itself: vtkShadowPass attaches it to the props of its frame.
    */
   void Render(const vtkRenderState*) override {}
-  void ReleaseGraphicsResources(vtkWindow* w) override;
 
 #ifndef __VTK_WRAP__
-  // What is drawn: the numbers are those of shadowStage in the shader.
+  // What is drawn, and so what a mapper's shader says.
   enum Stage
   {
-    SHADE = 0,
-    CASTERS = 1,
-    POSITIONS = 2,
-    VISIBILITY = 3
+    SHADE,     // the frame
+    CASTERS,   // depth from a light; VTK's shader as it is
+    POSITIONS, // the receivers' positions and normals
+    VISIBILITY // the visibility of one light
   };
 
   // Whose visibility light i of the scene is multiplied by; no technique: lit.
@@ -69,6 +67,7 @@ public:
     vtkShadowTechniquePass* Technique = nullptr;
     int Slot = 0;
     float Strength = 1.0f;
+    std::string LookupFunction;
   };
   void SetPlan(const std::vector<LightPlan>& plan);
 
@@ -109,7 +108,13 @@ private:
   std::string Declarations() const;
   std::string LightCode(const std::string& fragmentShader) const;
   std::string OutputCode(const std::string& fragmentShader) const;
+  std::string NoReceiver() const;
+  std::vector<std::size_t> LightsOfForm(vtkShadowTechniquePass::VisibilityForm form) const;
+  void PlacePositions(std::string& vertexShader, const std::string& geometryShader,
+    std::string& fragmentShader) const;
+  void SetMaskParameters(vtkShaderProgram* program, vtkProp* prop, bool receives);
   void AttachTo(vtkProp* prop, bool receives);
+  void SetStage(Stage stage);
 
   std::vector<LightPlan> Plan;
   std::string PlanShape; // what of the plan the shader's text depends on
@@ -122,9 +127,9 @@ private:
   std::vector<vtkSmartPointer<vtkInformation>> Attached;
   std::unordered_map<vtkProp*, bool> Receives; // leaves and tops
   float MaskSize[2] = { 0.0f, 0.0f };
+  bool MaskIsPixels = true;
   int ParallelEye = 0;
   vtkNew<vtkShadowCasterCamera> CasterCamera;
-  std::unique_ptr<vtkShadowTextureArray> Placeholder;
 };
 
 #endif

@@ -48,8 +48,8 @@ public:
     const std::filesystem::path folder = this->options.output;
     this->progress.Begin("rendering " + technique);
     this->stage.UseTechnique(technique);
-    this->stage.Render();
-    outputs.Add(folder / (technique + ".png"), PngOfBytes(this->stage.Picture()));
+    this->stage.Window().Render();
+    outputs.Add(folder / (technique + ".png"), PngOfBytes(this->stage.Window().Picture()));
 
     std::vector<ReportRow> rows;
     for (std::size_t light = 0; light < this->stage.Lights().size(); ++light)
@@ -89,8 +89,8 @@ private:
 std::string UnshadowedPng(Stage& stage)
 {
   stage.ShowShadows(false);
-  stage.Render();
-  std::string png = PngOfBytes(stage.Picture());
+  stage.Window().Render();
+  std::string png = PngOfBytes(stage.Window().Picture());
   stage.ShowShadows(true);
   return png;
 }

@@ -2,6 +2,7 @@
 #ifndef vtkshadows_Failure_h
 #define vtkshadows_Failure_h
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -18,6 +19,14 @@ public:
   {
   }
 };
+
+// A number as messages have it: short.
+inline std::string ToText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
 
 }
 

@@ -119,7 +119,7 @@ void MovingStage::RestLights()
 double RenderMilliseconds(Stage& stage)
 {
   const auto begin = std::chrono::steady_clock::now();
-  stage.Render();
+  stage.Window().Render();
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
   return taken.count();
 }
@@ -145,13 +145,13 @@ Round TimeRound(Stage& stage, MovingStage& motion)
   Round round;
   stage.ShowShadows(false);
   motion.SwingCamera();
-  stage.Render();
+  stage.Window().Render();
   motion.SwingCamera();
   round.unshadowed = RenderMilliseconds(stage);
 
   stage.ShowShadows(true);
   motion.SwingCamera();
-  stage.Render();
+  stage.Window().Render();
   motion.SwingCamera();
   round.still = RenderMilliseconds(stage);
 

@@ -65,7 +65,7 @@ Report BeginReport(Stage& stage)
   Report report;
   report.triangles = stage.NumberOfTriangles();
   report.vtkVersion = vtkVersion::GetVTKVersion();
-  report.openGLRenderer = stage.OpenGLRenderer();
+  report.openGLRenderer = stage.Window().OpenGLRenderer();
   return report;
 }
 

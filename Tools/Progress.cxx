@@ -50,7 +50,7 @@ void Progress::Begin(const std::string& nextStep)
 void Progress::Update(double fraction)
 {
   const auto patience =
-    this->terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(3000);
+    this->terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(5000);
   if (this->step.empty() || Clock::now() - this->lastShown < patience)
   {
     return;

@@ -79,8 +79,8 @@ void RunRender(const Options& options, Progress& progress)
 
   progress.Begin("rendering");
   stage->UseTechnique(options.techniques.front());
-  stage->Render();
-  outputs.Add(options.output, PngOfBytes(stage->Picture()));
+  stage->Window().Render();
+  outputs.Add(options.output, PngOfBytes(stage->Window().Picture()));
   for (std::size_t light = 0; options.visibility && light < stage->Lights().size(); ++light)
   {
     outputs.Add(MaskPath(*options.visibility, light), VisibilityPng(*stage, light));

@@ -1,25 +1,17 @@
 #include "Stage.h"
 
 #include "Failure.h"
-#include "VtkMessages.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDepthShadowMapPass.h>
-#include <vtkImageData.h>
 #include <vtkLight.h>
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkShadowPass.h>
-#include <vtkTextureObject.h>
-#include <vtkWindowToImageFilter.h>
-
-#include <sstream>
 
 namespace vtkshadows
 {
@@ -32,7 +24,7 @@ constexpr double MeshColors[][3] = { { 0.60, 0.73, 0.84 }, { 0.90, 0.63, 0.46 },
 constexpr double FloorColor[3] = { 0.96, 0.93, 0.87 };
 
 // What shadow leaves of a surface's colour: dark, but not black.
-constexpr double Ambient = 0.24;
+constexpr double Ambient = 0.28;
 
 void AddActor(vtkRenderer* renderer, vtkPolyData* mesh, const double color[3])
 {
@@ -48,22 +40,19 @@ void AddActor(vtkRenderer* renderer, vtkPolyData* mesh, const double color[3])
   renderer->AddActor(actor);
 }
 
-void FailAtVtkError(const std::string& object)
-{
-  const std::string error = TakeVtkError();
-  if (!error.empty())
-  {
-    throw Failure(object, "", error, "change what it names, or the OpenGL driver");
-  }
-}
-
 }
 
 Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   : axes(ChooseAxes(settings.up, settings.camera, meshes))
   , extent(MeasureExtent(meshes, this->axes))
 {
-  this->OpenWindow(settings.size);
+  this->window.Open(settings.size.width, settings.size.height);
+  this->window.Add(this->renderer);
+  this->renderer->SetBackground(0.74, 0.77, 0.81);
+  this->renderer->SetBackground2(0.93, 0.95, 0.97);
+  this->renderer->GradientBackgroundOn();
+
+  this->SetMapResolution(settings.resolution);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
@@ -79,11 +68,6 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   {
     this->AddLight(DefaultLight(this->axes));
   }
-  if (settings.resolution)
-  {
-    this->shadows->GetDepthShadowMapPass()->SetResolution(*settings.resolution);
-  }
-
   const double aspect = static_cast<double>(settings.size.width) / settings.size.height;
   this->PlaceCamera(settings.camera ? *settings.camera : FitCamera(meshes, this->axes, aspect));
   this->ShowShadows(true);
@@ -91,33 +75,20 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
 
 Stage::~Stage() = default;
 
-void Stage::OpenWindow(const WindowSize& size)
+void Stage::SetMapResolution(std::optional<int> resolution)
 {
-  // Small at first, for the context that tells how large it may be.
-  this->window->SetOffScreenRendering(true);
-  this->window->SetMultiSamples(0);
-  this->window->SetSize(16, 16);
-  this->window->AddRenderer(this->renderer);
-  auto* openGL = vtkOpenGLRenderWindow::SafeDownCast(this->window);
-  if (!openGL)
+  if (!resolution)
   {
-    throw Failure("OpenGL", "", "this VTK has no OpenGL window", "use a VTK with RenderingOpenGL2");
+    return;
   }
-  openGL->Initialize();
-  FailAtVtkError("OpenGL");
-  openGL->MakeCurrent();
-  const int limit = vtkTextureObject::GetMaximumTextureSize(openGL);
-  if (size.width > limit || size.height > limit)
+  const int limit = this->window.LargestTexture();
+  if (*resolution > limit)
   {
-    throw Failure("--size", std::to_string(size.width) + "x" + std::to_string(size.height),
-      "is more than this OpenGL driver can draw",
-      "choose at most " + std::to_string(limit) + "x" + std::to_string(limit));
+    throw Failure("--resolution", std::to_string(*resolution),
+      "is more texels than a map of this OpenGL driver can have",
+      "choose at most " + std::to_string(limit));
   }
-  this->window->SetSize(size.width, size.height);
-
-  this->renderer->SetBackground(0.74, 0.77, 0.81);
-  this->renderer->SetBackground2(0.93, 0.95, 0.97);
-  this->renderer->GradientBackgroundOn();
+  this->shadows->GetDepthShadowMapPass()->SetResolution(*resolution);
 }
 
 void Stage::AddMeshes(const std::vector<Mesh>& meshes)
@@ -203,43 +174,9 @@ void Stage::ShowShadows(bool shown)
   this->renderer->SetPass(shown ? this->shadows.Get() : nullptr);
 }
 
-void Stage::Render()
-{
-  this->window->Render();
-  this->window->WaitForCompletion();
-  FailAtVtkError("rendering");
-}
-
-vtkSmartPointer<vtkImageData> Stage::Picture()
-{
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(this->window);
-  grab->SetInputBufferTypeToRGB();
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  grab->Update();
-  FailAtVtkError("picture");
-  return grab->GetOutput();
-}
-
 vtkIdType Stage::NumberOfTriangles() const
 {
   return this->numberOfTriangles;
-}
-
-std::string Stage::OpenGLRenderer()
-{
-  const std::string heading = "OpenGL renderer string:";
-  std::istringstream capabilities(this->window->ReportCapabilities());
-  for (std::string line; std::getline(capabilities, line);)
-  {
-    if (line.compare(0, heading.size(), heading) == 0)
-    {
-      const std::size_t begin = line.find_first_not_of(' ', heading.size());
-      return begin == std::string::npos ? "" : line.substr(begin);
-    }
-  }
-  return "unknown";
 }
 
 }

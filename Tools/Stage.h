@@ -3,6 +3,7 @@
 #define vtkshadows_Stage_h
 
 #include "MeshLoader.h"
+#include "OffscreenWindow.h"
 #include "Specs.h"
 #include "View.h"
 
@@ -14,9 +15,7 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
 class vtkLight;
-class vtkRenderWindow;
 class vtkRenderer;
 class vtkShadowPass;
 
@@ -40,6 +39,7 @@ public:
   Stage(const std::vector<Mesh>& meshes, const StageSettings& settings);
   ~Stage();
 
+  OffscreenWindow& Window() { return this->window; }
   vtkRenderer* Renderer() { return this->renderer; }
   vtkShadowPass* Shadows() { return this->shadows; }
   const std::vector<vtkSmartPointer<vtkLight>>& Lights() const { return this->lights; }
@@ -53,23 +53,16 @@ public:
   // Shadows on or off, as a user turns them: by the renderer's pass.
   void ShowShadows(bool shown);
 
-  // Draw a frame and wait until it is done. Throws Failure at the first error of VTK's.
-  void Render();
-
-  // The last frame, RGB bytes.
-  vtkSmartPointer<vtkImageData> Picture();
-
   vtkIdType NumberOfTriangles() const; // of the meshes and the floor
-  std::string OpenGLRenderer();        // as the driver calls itself
 
 private:
-  void OpenWindow(const WindowSize& size);
+  void SetMapResolution(std::optional<int> resolution);
   void AddMeshes(const std::vector<Mesh>& meshes);
   void AddFloor(const FloorSpec& floor);
   void AddLight(const LightSpec& spec);
   void PlaceCamera(const CameraSpec& spec);
 
-  vtkNew<vtkRenderWindow> window;
+  OffscreenWindow window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkShadowPass> shadows;
   std::vector<vtkSmartPointer<vtkLight>> lights;

@@ -1,41 +1,9 @@
-// Ahead of VTK's lighting code in every fragment shader of the frame.
-// Spaces: VC the eye's view coordinates.
+// Visibility by mask: one texel a pixel of the viewport. Needs SHADOW_MASK_TEXEL, the texel of this fragment.
 
-// What is drawn: 0 the frame, 1 casters into a map, 2 the receivers' positions, 3 one light's visibility.
-uniform int shadowStage;
-// Of stage 3.
-uniform int shadowShownLight;
-// 1 where this prop takes shadows, by lookup and by mask.
-uniform float shadowReceivesLookup;
+// 1 where this prop takes shadows from masks.
 uniform float shadowReceivesMask;
-// Mask texel = (pixel - origin) * scale.
-uniform vec2 shadowMaskOrigin;
-uniform vec2 shadowMaskScale;
-
-// A face's normal in 24 bits, octahedral (Cigolle et al. 2014), plus one: exact in a float, 0 is nothing.
-float shadowNormalCode(vec3 n)
-{
-  vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
-  if (n.z < 0.0)
-  {
-    p = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-  }
-  vec2 code = floor((p * 0.5 + 0.5) * 4095.0 + 0.5);
-  return code.y * 4096.0 + code.x + 1.0;
-}
-
-// The face's normal from the position's screen derivatives, toward the eye.
-vec3 shadowFaceNormal(vec3 positionVC, int parallelEye)
-{
-  vec3 n = cross(dFdx(positionVC), dFdy(positionVC));
-  float length2 = dot(n, n);
-  n = length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
-  vec3 toEye = parallelEye != 0 ? vec3(0.0, 0.0, 1.0) : -positionVC;
-  return dot(n, toEye) < 0.0 ? -n : n;
-}
 
 float shadowMaskVisibility(sampler2DArray masks, int slot)
 {
-  ivec2 texel = ivec2((gl_FragCoord.xy - shadowMaskOrigin) * shadowMaskScale);
-  return texelFetch(masks, ivec3(texel, slot), 0).r;
+  return mix(1.0, texelFetch(masks, ivec3(SHADOW_MASK_TEXEL, slot), 0).r, shadowReceivesMask);
 }

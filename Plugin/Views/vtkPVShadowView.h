@@ -3,8 +3,8 @@
  * @brief   ParaView's render view with a vtkShadowPass
  *
  * "Render View (Shadows)" in ParaView. The pass stays in place whatever the technique, so that the
- * render view may put it aside and back as it does for ray tracing (OSPRay, which has shadows of its own)
- * and for capturing values.
+ * render view may put it aside and back as it does for ray tracing (OSPRay, which has shadows of
+ * its own) and for capturing values.
  *
  * Limits: under several processes each shadows its own part of the geometry.
  *

@@ -7,9 +7,10 @@
 >>> vtkshadows.error(renderer).mismatch_percent  # against ray-cast truth
 0.017
 
-Everywhere, `renderer` is a vtkRenderer or a PyVista plotter; `light` is a vtkLight or an index among the
-renderer's switched-on lights, in their order. What cannot be done raises an error that names the value
-and the remedy: ValueError for an argument, RuntimeError with VTK's own message for the rest.
+Everywhere, `renderer` is a vtkRenderer, a PyVista plotter, or a window with one renderer; `light` is a
+vtkLight or an index among the renderer's switched-on lights, in their order. What cannot be done raises
+an error that names the value and the remedy: ValueError for an argument, RuntimeError with VTK's own
+message for the rest.
 
 The classes underneath are in vtkshadows.vtkShadowsPasses (vtkShadowPass is what `enable` returns).
 """
@@ -28,7 +29,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderPass
+from vtkmodules.vtkRenderingCore import (
+    vtkLight,
+    vtkProp,
+    vtkRenderer,
+    vtkRenderPass,
+    vtkRenderWindow,
+)
 
 from .vtkShadowsPasses import vtkShadowErrorMeasure, vtkShadowPass
 
@@ -72,7 +79,8 @@ def enable(
     technique : one of techniques(), for every light. The pass that is returned takes one per light:
         `shadows.SetLightTechnique(light, "ray-cast")`.
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
-        of drawing if it has none.
+        of drawing if it has none. ray-cast needs one that draws at the renderer's own size: for
+        supersampling, say, make the vtkShadowPass that pass's delegate instead.
     resolution : depth-map: width and height of each map in texels, 1 or more (2048).
     light_samples : ray-cast: rays for a light with a radius, 1 to 4096 (64).
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
@@ -332,13 +340,16 @@ def _kind(thing: Any) -> str:
 
 
 def _find_renderer(thing: Any) -> vtkRenderer:
-    """The vtkRenderer that `thing` is, or that it has: a PyVista plotter's active one."""
+    """The vtkRenderer that `thing` is, or that it has: a PyVista plotter's active one, a window's one."""
     if isinstance(thing, vtkRenderer):
         return thing
     active = getattr(thing, "renderer", None)
     if isinstance(active, vtkRenderer):
         return active
-    several = list(getattr(thing, "renderers", None) or [])
+    if isinstance(thing, vtkRenderWindow):
+        several = list(thing.GetRenderers())
+    else:
+        several = list(getattr(thing, "renderers", None) or [])
     if len(several) == 1 and isinstance(several[0], vtkRenderer):
         return several[0]
     if several:

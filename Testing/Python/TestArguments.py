@@ -53,6 +53,7 @@ class TestArguments(unittest.TestCase):
         several = [SCENE.renderer, vtkRenderer()]
         for thing in (
             SCENE.renderer,
+            SCENE.window,
             types.SimpleNamespace(renderer=SCENE.renderer, renderers=several),  # a PyVista plotter
             types.SimpleNamespace(renderers=several[:1]),
         ):
@@ -63,7 +64,7 @@ class TestArguments(unittest.TestCase):
         self.assert_refused(
             "2 renderers; give one", vtkshadows.enable, types.SimpleNamespace(renderers=several)
         )
-        for thing in (None, 3, SCENE.window, types.SimpleNamespace(renderers=[])):
+        for thing in (None, 3, SCENE.light, types.SimpleNamespace(renderers=[])):
             self.assert_refused("not a vtkRenderer", vtkshadows.enable, thing)
 
     def test_lights(self):

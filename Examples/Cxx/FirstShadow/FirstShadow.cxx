@@ -42,6 +42,8 @@ int main(int argc, char* argv[])
   renderer->AddLight(light);
 
   vtkNew<vtkShadowPass> shadows;
+  shadows->SetTechnique("depth-map");
+  shadows->SetLightStrength(light, 0.8);
   renderer->SetPass(shadows);
 
   vtkNew<vtkRenderWindow> window;
@@ -51,6 +53,8 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(0, -2, 1.5);
   renderer->GetActiveCamera()->SetViewUp(0, 0, 1);
   renderer->ResetCamera();
+  renderer->GetActiveCamera()->Zoom(1.5);
+  renderer->SetBackground(1, 1, 1);
   window->Render();
 
   vtkNew<vtkWindowToImageFilter> grab;

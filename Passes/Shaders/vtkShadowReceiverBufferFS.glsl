@@ -1,0 +1,32 @@
+// Where receivers are drawn into the receiver buffer: position and face normal, view coordinates (VC).
+
+// 1 where this prop takes shadows.
+uniform float shadowIsReceiver;
+uniform int shadowParallelEye;
+
+// A face's normal in 24 bits, octahedral (Cigolle et al. 2014), plus one: exact in a float, 0 is nothing.
+float shadowNormalCode(vec3 n)
+{
+  vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
+  if (n.z < 0.0)
+  {
+    p = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+  }
+  vec2 code = floor((p * 0.5 + 0.5) * 4095.0 + 0.5);
+  return code.y * 4096.0 + code.x + 1.0;
+}
+
+// The face's normal from the position's screen derivatives, toward the eye.
+vec3 shadowFaceNormal(vec3 positionVC)
+{
+  vec3 n = cross(dFdx(positionVC), dFdy(positionVC));
+  float length2 = dot(n, n);
+  n = length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
+  vec3 toEye = shadowParallelEye != 0 ? vec3(0.0, 0.0, 1.0) : -positionVC;
+  return dot(n, toEye) < 0.0 ? -n : n;
+}
+
+vec4 shadowReceiver(vec3 positionVC)
+{
+  return vec4(positionVC, shadowIsReceiver * shadowNormalCode(shadowFaceNormal(positionVC)));
+}

@@ -1,0 +1,132 @@
+"""Bad input: one line that names the thing and the remedy, a status that is not zero, nothing left."""
+
+import os
+
+from commandtest import check, command, enter_empty_folder, finish, tree, write_off, write_tetrahedron
+
+enter_empty_folder()
+write_tetrahedron("mesh.off")
+write_off("nan.off", [(0, 0, 0), (1, 0, 0), ("nan", 1, 0), (0, "inf", 0)], [(0, 1, 2), (0, 1, 3)])
+write_off("empty.off", [], [])
+write_off("points.off", [(0, 0, 0), (1, 1, 1)], [])
+write_off("spot.off", [(1, 1, 1)] * 3, [(0, 1, 2)])
+write_off("index.off", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 7)])
+with open("short.off", "w") as file:
+    file.write("OFF\n4 4 0\n0 0 0\n1 0 0\n")
+for name in ["prose.off", "prose.ply", "prose.stl", "prose.vtp", "prose.vtk", "prose.gltf", "prose.glb",
+             "prose.obj", "prose.vti", "prose.vtu", "mesh.docx"]:  # fmt: skip
+    with open(name, "w") as file:
+        file.write("Call me Ishmael. Some years ago, never mind how long precisely, having little or "
+                   "no money in my purse, I thought I would sail about a little.\n")  # fmt: skip
+open("void.ply", "w").close()
+os.mkdir("folder")
+with open("flat.vti", "w") as file:
+    file.write("""<VTKFile type="ImageData" version="1.0">
+<ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 1 0 1 0 1">
+<PointData Scalars="s"><DataArray type="Float32" Name="s" format="ascii">0 1 1 1 1 1 1 1</DataArray>
+</PointData></Piece></ImageData></VTKFile>""")
+
+PICTURE = ["-o", "picture.png"]
+
+
+def refused(words, *arguments, status=1):
+    """The command must fail with one line that has every word of `words`, and leave nothing behind."""
+    before = tree(".")
+    got, out, err = command(*arguments)
+    case = " ".join(map(str, arguments)) or "(no arguments)"
+    print(f"     {case}\n     {err.strip()}")
+    check("status", got, status)
+    check("lines on stderr", len(err.splitlines()), 1)
+    check("lines on stdout", len(out.splitlines()), 0)
+    check("begins with the command's name", err.startswith("vtkshadows: "), True)
+    check("has a remedy", "; " in err, True)
+    check("names what is wrong", [word for word in words if word not in err], [])
+    check("files left behind", sorted(set(tree(".")) ^ set(before)), [])
+
+
+def refused_input(words, path, *arguments):
+    refused(["input " + path, *words], "render", path, *PICTURE, *arguments)
+
+
+def refused_option(words, option, value, remedy):
+    refused([f"{option} {value}", *words, remedy], "render", "mesh.off", *PICTURE, option, value)
+
+
+# --- Inputs ---
+refused_input(["no such file"], "missing.ply")
+refused_input(["is a folder"], "folder")
+refused_input(["no kind that is read", ".off", ".vtp"], "mesh.docx")
+refused_input(["empty file"], "void.ply")
+refused_input(["empty mesh"], "empty.off")
+refused_input(["no faces", "2 points"], "points.off")
+refused_input(["2 of its points are not finite", "point 2"], "nan.off")
+refused_input(["one point"], "spot.off")
+refused_input(["line 6", "vertex 7"], "index.off")
+refused_input(["line 4", "2 of 4 vertices"], "short.off")
+for extension in ["off", "ply", "stl", "vtp", "vtk", "gltf", "glb", "vti", "vtu"]:
+    refused_input(["OFF" if extension == "off" else "." + extension], "prose." + extension)
+refused_input(["empty mesh"], "prose.obj")
+refused(["--isovalue 7", "outside", "0 to 1"], "render", "flat.vti", *PICTURE, "--isovalue", 7)
+refused(["missing.ply"], "compare", "mesh.off", "missing.ply", "-o", "results")
+
+# --- Outputs: found out before the work ---
+refused(["-o folder", "is a folder"], "render", "mesh.off", "-o", "folder")
+refused(["-o picture.jpg", ".png"], "render", "mesh.off", "-o", "picture.jpg")
+refused(["-o no/picture.png", "does not exist"], "render", "mesh.off", "-o", "no/picture.png")
+refused(["-o mesh.off", "is a file"], "compare", "mesh.off", "-o", "mesh.off")
+refused(["-o mesh.off/in", "is a file"], "compare", "mesh.off", "-o", "mesh.off/in")
+refused(["--json mesh.off", "is an input"], "render", "mesh.off", *PICTURE, "--json", "mesh.off")
+refused(["--visibility mask.gif", ".png"], "render", "mesh.off", *PICTURE, "--visibility", "mask.gif")
+refused(["picture-0.png", "two files"], "render", "mesh.off", "-o", "picture-0.png",
+        "--visibility", "picture.png")  # fmt: skip
+for unwritable in ["/proc/picture.png", "/sys/picture.png"]:
+    if os.path.isdir(os.path.dirname(unwritable)):
+        refused(["-o " + unwritable, "cannot write"], "render", "mesh.off", "-o", unwritable)
+        refused(["-o " + unwritable, "cannot write"], "compare", "mesh.off", "-o", unwritable)
+
+# --- Options ---
+for size in ["0x10", "10x0", "-3x10"]:
+    refused_option(["no area"], "--size", size, "WxH")
+refused_option(["width and a height"], "--size", "100", "WxH")
+refused_option(["OpenGL driver"], "--size", "9999999x10", "at most")
+refused_option(["no technique"], "--technique", "photon", "depth-map")
+refused(["--techniques photon", "depth-map"], "compare", "mesh.off", "-o", "results",
+        "--techniques", "depth-map,photon")  # fmt: skip
+refused_option(["less than 1"], "--resolution", "0", "1 or more")
+refused_option(["OpenGL driver"], "--resolution", "1000000", "at most")
+refused_option(["less than 1"], "--frames", "-2", "1 or more")
+
+refused_option(["no direction"], "--light", "directional:0,0,0", "not zero")
+refused_option(["no direction"], "--light", "spot:1,1,1:1,1,1:30", "focal point")
+for cone in ["0", "90", "-4", "180"]:
+    refused_option(["cone angle"], "--light", f"spot:0,0,5:0,0,0:{cone}", "between 0 and 90")
+refused_option(["3 numbers"], "--light", "directional:1,2", "directional:DX,DY,DZ")
+refused_option(["not a finite number"], "--light", "point:1,2,nan", "point:PX,PY,PZ")
+refused_option(["no kind of light"], "--light", "sun", "spot:PX,PY,PZ")
+refused_option(["strength"], "--light", "point:1,2,3@strength=1.5", "0 (no shadow) to 1")
+refused_option(["radius is negative"], "--light", "point:1,2,3@radius=-1", "0 or more")
+refused_option(["intensity is negative"], "--light", "point:1,2,3@intensity=-1", "0 or more")
+refused_option(["color"], "--light", "point:1,2,3@color=0,0,2", "0 to 1")
+refused_option(["@flavour=sweet"], "--light", "point:1,2,3@flavour=sweet", "@technique=NAME")
+refused(["photon", "depth-map"], "render", "mesh.off", *PICTURE, "--light", "point:1,2,3@technique=photon")
+refused(["ray-cast", "compare"], "compare", "mesh.off", "-o", "results",
+        "--light", "point:1,2,3@technique=ray-cast")  # fmt: skip
+
+refused_option(["focal point"], "--camera", "1,1,1:1,1,1:0,0,1:30", "looks at")
+refused_option(["up vector"], "--camera", "0,0,9:0,0,0:0,0,1:30", "across the view")
+refused_option(["up vector"], "--camera", "9,0,0:0,0,0:0,0,0:30", "across the view")
+for angle in ["0", "180", "-30"]:
+    refused_option(["view angle"], "--camera", f"9,0,0:0,0,0:0,0,1:{angle}", "0 and 180")
+refused_option(["4 parts"], "--camera", "9,0,0:0,0,0", "PX,PY,PZ")
+refused_option(["no normal"], "--floor", "0,0,0,1", "not zero")
+refused_option(["4 numbers"], "--floor", "carpet", "auto, none")
+refused_option(["no up"], "--up", "0,0,0", "not zero")
+
+# --- Command lines that cannot be read ---
+refused(["subcommand", "--help"], status=2)
+refused(["--output", "--help"], "render", "mesh.off", status=2)
+refused(["INPUT", "--help"], "render", *PICTURE, status=2)
+refused(["--bogus", "render --help"], "render", "mesh.off", *PICTURE, "--bogus", status=2)
+refused(["--resolution", "--help"], "render", "mesh.off", *PICTURE, "--resolution", "many", status=2)
+
+finish()

@@ -1,0 +1,97 @@
+"""render: one picture, its masks and their conventions, on a plate over a floor seen from above."""
+
+import json
+import math
+import os
+
+from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate
+
+WIDTH, HEIGHT = 200, 150
+EYE = 20.0  # above the floor, looking down; the picture's top is +y
+VIEW = ["--camera", f"0,0,{EYE}:0,0,0:0,1,0:30", "--up", "0,0,1", "--size", f"{WIDTH}x{HEIGHT}"]
+PIXELS_PER_UNIT = HEIGHT / (2 * EYE * math.tan(math.radians(15)))  # on the floor
+
+
+def pixel(x, y):
+    """Column and row, from the top, of a point of the floor z = 0."""
+    return int(WIDTH / 2 + x * PIXELS_PER_UNIT), int(HEIGHT / 2 - y * PIXELS_PER_UNIT)
+
+
+def mask_at(mask, x, y):
+    column, row = pixel(x, y)
+    return mask.rows[row][column][0]
+
+
+enter_empty_folder()
+write_plate("plate.off")
+SCENE = ["plate.off", *VIEW, "--floor", "0,0,1,0"]
+
+# A light that travels toward +y: the shadow lies beyond the plate, in the upper half of the picture.
+# It is one unit square, less what the plate hides of it.
+shadow_pixels = (1.5 - 0.5 * EYE / (EYE - 1)) * PIXELS_PER_UNIT**2
+for technique in ("depth-map", "ray-cast"):
+    succeed("render", *SCENE, "--light", "directional:0,1,-1", "--technique", technique,
+            "-o", f"{technique}.png", "--visibility", f"{technique}-mask.png")  # fmt: skip
+    picture, mask = Image(f"{technique}.png"), Image(f"{technique}-mask-0.png")
+    check("picture's size", (picture.width, picture.height), (WIDTH, HEIGHT))
+    check("mask's size", (mask.width, mask.height), (WIDTH, HEIGHT))
+    check("picture's channels", picture.channels, 3)
+    check("mask's channels", mask.channels, 1)
+    check("mask in the shadow, top row first", mask_at(mask, 0, 1), 0)
+    check("mask opposite to the shadow", mask_at(mask, 0, -1), 255)
+    check("mask on the plate", mask_at(mask, 0, 0), 255)
+    check("mask of the background", mask.rows[0][0][0], 255)
+    dark = sum(255 - value[0] for row in mask.rows for value in row) / 255
+    check("shadow's pixels", dark, shadow_pixels, 0.06 * shadow_pixels)
+    column, row = pixel(0, 1)
+    lit_column, lit_row = pixel(0, -1)
+    check("picture is darker in the shadow",
+          picture.rows[row][column][0] < picture.rows[lit_row][lit_column][0], True)  # fmt: skip
+
+# Several lights are all on, and each has its mask: from the left, from the right, from above.
+succeed("render", *SCENE, "-o", "lights.png", "--visibility", "each.png",
+        "--light", "directional:1,0,-1@color=1,0.5,0.5",
+        "--light", "spot:3,0,4:0,0,0:40@technique=ray-cast@intensity=0.5",
+        "--light", "point:0,0,5@strength=0.5", "--light", "directional:0,1,-1@technique=none")  # fmt: skip
+masks = [Image(f"each-{light}.png") for light in range(4)]
+check("no mask of a fifth light", os.path.exists("each-4.png"), False)
+check("mask without its light's number", os.path.exists("each.png"), False)
+check("light 0 shadows the right", mask_at(masks[0], 1, 0), 0)
+check("light 0 does not shadow the left", mask_at(masks[0], -1, 0), 255)
+check("light 1 shadows the left", mask_at(masks[1], -0.8, 0), 0)
+check("light 1 does not shadow the right", mask_at(masks[1], 0.8, 0), 255)
+check("light 2 shadows around the plate", mask_at(masks[2], 0, 0.58), 0)
+check("light 3 has no technique: all lit", masks[3].count((255,)), WIDTH * HEIGHT)
+
+# Strength 0 is the picture without shadows; so is technique none.
+light = "directional:0,1,-1"
+succeed("render", *SCENE, "--light", light, "--technique", "none", "-o", "none.png")
+succeed("render", *SCENE, "--light", light + "@strength=0", "-o", "weak.png")
+check("picture at strength 0 is that without technique",
+      Image("weak.png").rows == Image("none.png").rows, True)  # fmt: skip
+
+# A light with a radius is soft: some pixels are between 0 and 255.
+succeed("render", *SCENE, "--light", light + "@radius=0.1", "--technique", "ray-cast",
+        "-o", "soft.png", "--visibility", "soft-mask.png")  # fmt: skip
+soft = Image("soft-mask-0.png")
+between = WIDTH * HEIGHT - soft.count((255,)) - soft.count((0,))
+check("a soft light's mask has half-shadow", between > 20, True)
+
+# JSON names each light's own technique, and has the frame's times.
+succeed("render", *SCENE, "-o", "timed.png", "--json", "timed.json", "--frames", 2,
+        "--light", light, "--light", "directional:1,0,-1@technique=ray-cast")  # fmt: skip
+with open("timed.json") as file:
+    rows = json.load(file)
+check("techniques in JSON", [row["technique"] for row in rows], ["depth-map", "ray-cast"])
+check("lights in JSON", [row["light"] for row in rows], [0, 1])
+check("times are positive", all(row["frame_ms_static"] > 0 for row in rows), True)
+
+# Without a word.
+check("stdout under --quiet", succeed("render", *SCENE, "-o", "quiet.png", "--quiet"), "")
+
+# The floor: none leaves the plate alone, so that nothing is shadowed.
+succeed("render", "plate.off", *VIEW, "--floor", "none", "--light", light,
+        "-o", "alone.png", "--visibility", "alone-mask.png")  # fmt: skip
+check("mask without a floor", Image("alone-mask-0.png").count((255,)), WIDTH * HEIGHT)
+
+finish()
