@@ -20,7 +20,6 @@ vtk_module_wrap_python(
   INSTALL_EXPORT ${vtkshadows_export}
   INSTALL_HEADERS OFF
   BUILD_STATIC OFF
-  BUILD_PYI_FILES ON
   # Also the name of a header in include/: not Python, which would hide Python.h.
   TARGET VtkShadows::PassesPython)
 

@@ -51,61 +51,195 @@ bool IsOccluded(RTCScene scene, RTCRay& ray)
   return ray.tfar < 0.0f;
 }
 
-RTCRay MakeRay(const glm::vec3& from, const glm::vec3& along, float length)
+constexpr int Width = 8; // rays traced together
+
+// Receivers side by side, for loops that compilers vectorise.
+struct alignas(32) ReceiverLanes
 {
-  RTCRay ray;
-  ray.org_x = from.x;
-  ray.org_y = from.y;
-  ray.org_z = from.z;
-  ray.tnear = 0.0f;
-  ray.dir_x = along.x;
-  ray.dir_y = along.y;
-  ray.dir_z = along.z;
-  ray.time = 0.0f;
-  ray.tfar = length;
-  ray.mask = ~0u;
-  ray.id = 0;
-  ray.flags = 0;
-  return ray;
-}
+  std::size_t Pixel[Width];
+  float X[Width], Y[Width], Z[Width], Code[Width]; // as the receiver buffer has them
+  float FromX[Width], FromY[Width], FromZ[Width];  // where their rays start, the tree's coordinates
+  int Count = 0;
+
+  void Add(std::size_t pixel, const float* value)
+  {
+    const int i = this->Count++;
+    this->Pixel[i] = pixel;
+    this->X[i] = value[0];
+    this->Y[i] = value[1];
+    this->Z[i] = value[2];
+    this->Code[i] = value[3];
+  }
+};
 
 // From the eye's view coordinates to the tree's: relative to the casters' centre, of size about 1.
-struct TraceFrame
+class TraceFrame
 {
-  glm::dmat4 TraceFromView;
-  double Scale; // trace units in a world unit
-
-  // Where the ray of a receiver starts: off its face by `epsilonScale` times the rounding bound of
-  // what was done in floats (the eye's position of it, the tree's vertices), toward the eye.
-  glm::dvec3 Origin(const vtkShadowReceiverBuffer::Receiver& receiver, double epsilonScale) const
+public:
+  TraceFrame(const glm::dmat4& traceFromView, double scale)
+    : TraceFromView(traceFromView)
+    , Turn(glm::dmat3(traceFromView) / scale)
+    , Scale(static_cast<float>(scale))
   {
-    const glm::dvec3 onFace(this->TraceFromView * glm::dvec4(receiver.PositionVC, 1.0));
-    const glm::dvec3 normal =
-      glm::normalize(glm::dvec3(this->TraceFromView * glm::dvec4(receiver.NormalVC, 0.0)));
-    const double distance = glm::length(glm::dvec3(receiver.PositionVC)) * this->Scale;
-    const double rounding = std::ldexp(distance + 1.0 + glm::length(onFace), -22);
-    return onFace + epsilonScale * rounding * normal;
   }
+
+  // Where rays start: off the face, toward the eye, by `epsilonScale` times the rounding bound of what was
+  // done in floats (the eye's position of it, this, the tree's vertices).
+  void SetOrigins(ReceiverLanes& lanes, float epsilonScale) const
+  {
+    constexpr float RoundingUnit = 1.0f / (1 << 22);
+    const glm::dmat4& m = this->TraceFromView;
+    const glm::mat3& turn = this->Turn;
+    for (int i = 0; i < Width; ++i)
+    {
+      const double x = lanes.X[i], y = lanes.Y[i], z = lanes.Z[i];
+      lanes.FromX[i] = static_cast<float>(m[0][0] * x + m[1][0] * y + m[2][0] * z + m[3][0]);
+      lanes.FromY[i] = static_cast<float>(m[0][1] * x + m[1][1] * y + m[2][1] * z + m[3][1]);
+      lanes.FromZ[i] = static_cast<float>(m[0][2] * x + m[1][2] * y + m[2][2] * z + m[3][2]);
+    }
+    for (int i = 0; i < Width; ++i)
+    {
+      const float x = lanes.X[i], y = lanes.Y[i], z = lanes.Z[i];
+      const float distance = std::sqrt(x * x + y * y + z * z) * this->Scale;
+      const float reach =
+        std::abs(lanes.FromX[i]) + std::abs(lanes.FromY[i]) + std::abs(lanes.FromZ[i]);
+      const float off = epsilonScale * RoundingUnit * (1.0f + distance + reach);
+      float nx, ny, nz;
+      vtkShadowReceiverBuffer::DecodeNormal(lanes.Code[i], nx, ny, nz);
+      lanes.FromX[i] += off * (turn[0][0] * nx + turn[1][0] * ny + turn[2][0] * nz);
+      lanes.FromY[i] += off * (turn[0][1] * nx + turn[1][1] * ny + turn[2][1] * nz);
+      lanes.FromZ[i] += off * (turn[0][2] * nx + turn[1][2] * ny + turn[2][2] * nz);
+    }
+  }
+
+private:
+  glm::dmat4 TraceFromView;
+  glm::mat3 Turn; // the rotation in TraceFromView
+  float Scale;    // trace units in a world unit
 };
 
 // A hard light in the tree's coordinates.
 struct TraceLight
 {
   bool Directional;
-  glm::dvec3 Vector; // toward the light, unit; or its position
-
-  RTCRay RayFrom(const glm::dvec3& origin) const
-  {
-    if (this->Directional)
-    {
-      return MakeRay(
-        glm::vec3(origin), glm::vec3(this->Vector), std::numeric_limits<float>::infinity());
-    }
-    const glm::dvec3 to = this->Vector - origin;
-    const double distance = glm::length(to);
-    return MakeRay(glm::vec3(origin), glm::vec3(to / distance), static_cast<float>(distance));
-  }
+  glm::vec3 Vector; // toward the light, unit; or its position
 };
+
+// The rays of neighbouring pixels go through the same part of the tree, eight at a time.
+class RayPacket
+{
+public:
+  explicit RayPacket(RTCScene tree)
+    : Tree(tree)
+  {
+  }
+
+  // Adds `share` to the visibility of every lane's pixel whose ray reaches `light`.
+  void Trace(const ReceiverLanes& lanes, const TraceLight& light, float share,
+    std::vector<float>& visibility)
+  {
+    this->Aim(lanes, light);
+#if RTC_VERSION_MAJOR >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded8(this->Valid, this->Tree, &this->Rays, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded8(this->Valid, this->Tree, &context, &this->Rays);
+#endif
+    for (int i = 0; i < lanes.Count; ++i)
+    {
+      visibility[lanes.Pixel[i]] += this->Rays.tfar[i] < 0.0f ? 0.0f : share;
+    }
+  }
+
+  // Ray i of the last Aim, by itself.
+  RTCRay RayOf(int i) const
+  {
+    RTCRay ray;
+    ray.org_x = this->Rays.org_x[i];
+    ray.org_y = this->Rays.org_y[i];
+    ray.org_z = this->Rays.org_z[i];
+    ray.tnear = this->Rays.tnear[i];
+    ray.dir_x = this->Rays.dir_x[i];
+    ray.dir_y = this->Rays.dir_y[i];
+    ray.dir_z = this->Rays.dir_z[i];
+    ray.time = this->Rays.time[i];
+    ray.tfar = this->Rays.tfar[i];
+    ray.mask = this->Rays.mask[i];
+    ray.id = this->Rays.id[i];
+    ray.flags = this->Rays.flags[i];
+    return ray;
+  }
+
+  void Aim(const ReceiverLanes& lanes, const TraceLight& light)
+  {
+    for (int i = 0; i < Width; ++i)
+    {
+      this->Valid[i] = i < lanes.Count ? -1 : 0;
+      this->Rays.org_x[i] = lanes.FromX[i];
+      this->Rays.org_y[i] = lanes.FromY[i];
+      this->Rays.org_z[i] = lanes.FromZ[i];
+      this->Rays.tnear[i] = 0.0f;
+      this->Rays.time[i] = 0.0f;
+      this->Rays.mask[i] = ~0u;
+      this->Rays.id[i] = 0;
+      this->Rays.flags[i] = 0;
+    }
+    if (light.Directional)
+    {
+      for (int i = 0; i < Width; ++i)
+      {
+        this->Rays.dir_x[i] = light.Vector.x;
+        this->Rays.dir_y[i] = light.Vector.y;
+        this->Rays.dir_z[i] = light.Vector.z;
+        this->Rays.tfar[i] = std::numeric_limits<float>::infinity();
+      }
+      return;
+    }
+    for (int i = 0; i < Width; ++i)
+    {
+      const float x = light.Vector.x - lanes.FromX[i];
+      const float y = light.Vector.y - lanes.FromY[i];
+      const float z = light.Vector.z - lanes.FromZ[i];
+      const float length = std::sqrt(x * x + y * y + z * z);
+      this->Rays.dir_x[i] = x / length;
+      this->Rays.dir_y[i] = y / length;
+      this->Rays.dir_z[i] = z / length;
+      this->Rays.tfar[i] = length;
+    }
+  }
+
+private:
+  RTCRay8 Rays;
+  alignas(32) int Valid[Width];
+  RTCScene Tree;
+};
+
+// Call `use(lanes)` for the receivers of pixels first..last, eight at a time.
+template <typename Use>
+void ForEachLanes(const vtkShadowReceiverBuffer& receivers, std::size_t first, std::size_t last,
+  const TraceFrame& frame, float epsilonScale, const Use& use)
+{
+  ReceiverLanes lanes = {};
+  for (std::size_t i = first; i < last; ++i)
+  {
+    const float* pixel = receivers.PixelAt(i);
+    if (vtkShadowReceiverBuffer::IsReceiver(pixel))
+    {
+      lanes.Add(i, pixel);
+    }
+    if (lanes.Count == Width || (i + 1 == last && lanes.Count > 0))
+    {
+      frame.SetOrigins(lanes, epsilonScale);
+      use(lanes);
+      lanes.Count = 0;
+    }
+  }
+}
 
 }
 
@@ -135,16 +269,16 @@ public:
 
   TraceFrame FrameOf(const vtkShadowFrame& frame) const
   {
-    return { this->TraceFromWorld * glm::inverse(frame.ViewFromWorld), this->Scale };
+    return TraceFrame(this->TraceFromWorld * glm::inverse(frame.ViewFromWorld), this->Scale);
   }
 
   TraceLight LightOf(const vtkshadows::ShadowLight& light) const
   {
     if (light.kind == vtkshadows::LightKind::Directional)
     {
-      return { true, -light.direction };
+      return { true, glm::vec3(-light.direction) };
     }
-    return { false, glm::dvec3(this->TraceFromWorld * glm::dvec4(light.position, 1.0)) };
+    return { false, glm::vec3(this->TraceFromWorld * glm::dvec4(light.position, 1.0)) };
   }
 
   void PlaceFrame(const vtkShadowScene& scene);
@@ -304,22 +438,20 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, height, 8),
     [&](const tbb::blocked_range<std::size_t>& rows)
     {
-      vtkShadowReceiverBuffer::Receiver receiver;
-      for (std::size_t i = rows.begin() * width; i < rows.end() * width; ++i)
-      {
-        if (!receivers.At(i, receiver))
+      RayPacket packet(my.Tree);
+      ForEachLanes(receivers, rows.begin() * width, rows.end() * width, trace,
+        static_cast<float>(epsilonScale),
+        [&](const ReceiverLanes& lanes)
         {
-          continue;
-        }
-        const glm::dvec3 origin = trace.Origin(receiver, epsilonScale);
-        int seen = 0;
-        for (const TraceLight& sample : samples)
-        {
-          RTCRay ray = sample.RayFrom(origin);
-          seen += IsOccluded(my.Tree, ray) ? 0 : 1;
-        }
-        visibility[i] = static_cast<float>(seen) * share;
-      }
+          for (int i = 0; i < lanes.Count; ++i)
+          {
+            visibility[lanes.Pixel[i]] = 0.0f;
+          }
+          for (const TraceLight& sample : samples)
+          {
+            packet.Trace(lanes, sample, share, visibility);
+          }
+        });
     });
   this->TraceSeconds += SecondsSince(start);
   return true;
@@ -378,15 +510,21 @@ double vtkRayCastShadowPass::TimeBareTracing(const vtkShadowFrame& frame)
   std::vector<RTCRay> rays;
   for (const vtkShadowScene::Light& light : frame.Scene->GetLights())
   {
-    const TraceLight hard = my.LightOf(light.Ray);
-    vtkShadowReceiverBuffer::Receiver receiver;
-    for (std::size_t i = 0; !light.AtEye && i < pixels; ++i)
+    if (light.AtEye)
     {
-      if (frame.Receivers->At(i, receiver))
-      {
-        rays.push_back(hard.RayFrom(trace.Origin(receiver, this->EpsilonScale)));
-      }
+      continue;
     }
+    const TraceLight hard = my.LightOf(light.Ray);
+    RayPacket packet(my.Tree);
+    ForEachLanes(*frame.Receivers, 0, pixels, trace, static_cast<float>(this->EpsilonScale),
+      [&](const ReceiverLanes& lanes)
+      {
+        packet.Aim(lanes, hard);
+        for (int i = 0; i < lanes.Count; ++i)
+        {
+          rays.push_back(packet.RayOf(i));
+        }
+      });
   }
   const auto start = Clock::now();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 4096),

@@ -6,35 +6,6 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <cmath>
-
-namespace
-{
-
-// The octahedral code of vtkShadowedShadingPassFS.glsl: 12 bits an axis, 1 added so that 0 is nothing
-// (Cigolle et al. 2014).
-glm::vec3 NormalOf(float code)
-{
-  const float bits = code - 1.0f;
-  const float row = std::floor(bits / 4096.0f);
-  const float u = (bits - row * 4096.0f) / 4095.0f * 2.0f - 1.0f;
-  const float v = row / 4095.0f * 2.0f - 1.0f;
-  glm::vec3 n(u, v, 1.0f - std::abs(u) - std::abs(v));
-  if (n.z < 0.0f)
-  {
-    const glm::vec2 folded((1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f),
-      (1.0f - std::abs(n.x)) * (n.y >= 0.0f ? 1.0f : -1.0f));
-    n.x = folded.x;
-    n.y = folded.y;
-  }
-  return glm::normalize(n);
-}
-
-}
-
 //------------------------------------------------------------------------------
 bool vtkShadowReceiverBuffer::DrawStage(
   const vtkShadowFrame& frame, int stage, const float background[4])
@@ -91,13 +62,13 @@ bool vtkShadowReceiverBuffer::DrawVisibility(
 //------------------------------------------------------------------------------
 bool vtkShadowReceiverBuffer::At(std::size_t i, Receiver& receiver) const
 {
-  const float* pixel = &this->Pixels[4 * i];
-  if (!(pixel[3] > 0.5f))
+  const float* pixel = this->PixelAt(i);
+  if (!IsReceiver(pixel))
   {
     return false;
   }
   receiver.PositionVC = glm::vec3(pixel[0], pixel[1], pixel[2]);
-  receiver.NormalVC = NormalOf(pixel[3]);
+  DecodeNormal(pixel[3], receiver.NormalVC.x, receiver.NormalVC.y, receiver.NormalVC.z);
   return true;
 }
 
@@ -107,7 +78,7 @@ std::size_t vtkShadowReceiverBuffer::CountReceivers() const
   std::size_t count = 0;
   for (std::size_t i = 3; i < this->Pixels.size(); i += 4)
   {
-    count += this->Pixels[i] > 0.5f ? 1 : 0;
+    count += IsReceiver(&this->Pixels[i - 3]) ? 1 : 0;
   }
   return count;
 }

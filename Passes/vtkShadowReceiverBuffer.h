@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 struct vtkShadowFrame;
@@ -30,6 +32,27 @@ public:
   };
   // false if pixel i (row by row from the bottom) shows no receiver.
   bool At(std::size_t i, Receiver& receiver) const;
+
+  // Pixel i as it was drawn: position VC, and 0 for no receiver or the code of its normal.
+  const float* PixelAt(std::size_t i) const { return &this->Pixels[4 * i]; }
+  static bool IsReceiver(const float* pixel) { return pixel[3] > 0.5f; }
+
+  // The octahedral code of vtkShadowReceiverBufferFS.glsl: 12 bits an axis, 1 added so that 0 is nothing
+  // (Cigolle et al. 2014). Unit, and written without branches so that compilers vectorise loops of it.
+  static void DecodeNormal(float code, float& x, float& y, float& z)
+  {
+    const int bits = static_cast<int>(code) - 1;
+    const float u = static_cast<float>(bits & 4095) * (2.0f / 4095.0f) - 1.0f;
+    const float v = static_cast<float>(bits >> 12) * (2.0f / 4095.0f) - 1.0f;
+    const float w = 1.0f - std::abs(u) - std::abs(v);
+    const float fold = std::max(-w, 0.0f);
+    const float foldedU = u - std::copysign(fold, u);
+    const float foldedV = v - std::copysign(fold, v);
+    const float perLength = 1.0f / std::sqrt(foldedU * foldedU + foldedV * foldedV + w * w);
+    x = foldedU * perLength;
+    y = foldedV * perLength;
+    z = w * perLength;
+  }
 
   std::size_t CountReceivers() const;
 
