@@ -389,9 +389,14 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
 {
   if (this->CurrentStage == CASTERS)
   {
-    // VTK's shader, but a program of its own: what is set of its lights is another camera's.
-    return vtkShaderProgram::Substitute(
-      fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
+    // Depth alone, by a program of its own: without lighting there are no normals to interpolate, and without
+    // a transparent colour nothing to discard but what a texture with holes discards. Impostors keep
+    // their own discards.
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
+      "//VTK::System::Dec\n// shadow casters\n", false);
+    vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::Light::Impl", "  gl_FragData[0] = vec4(1.0);\n", false);
+    return true;
   }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
     "//VTK::System::Dec\n#extension GL_ARB_texture_gather : enable\n", false);

@@ -56,7 +56,7 @@ public:
   enum Stage
   {
     SHADE,     // the frame
-    CASTERS,   // depth from a light; VTK's shader as it is
+    CASTERS,   // depth from a light
     POSITIONS, // the receivers' positions and normals
     VISIBILITY // the visibility of one light
   };
