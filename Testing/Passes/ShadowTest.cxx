@@ -11,6 +11,7 @@
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkPNGWriter.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -141,6 +142,19 @@ std::size_t Visibility::CountShadowed() const
 {
   return std::count_if(
     this->values.begin(), this->values.end(), [](float value) { return value < 0.5f; });
+}
+
+void WritePng(const Frame& frame, const std::string& file)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(frame.width, frame.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::copy(
+    frame.rgb.begin(), frame.rgb.end(), static_cast<unsigned char*>(image->GetScalarPointer()));
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(file.c_str());
+  writer->Write();
 }
 
 std::size_t CountDifferent(const Frame& a, const Frame& b, int tolerance)

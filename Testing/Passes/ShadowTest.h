@@ -57,6 +57,8 @@ struct Visibility
   std::size_t CountShadowed() const; // below 0.5
 };
 
+void WritePng(const Frame& frame, const std::string& file);
+
 // Pixels with a component that differs by more than `tolerance`; all of them if the sizes differ.
 std::size_t CountDifferent(const Frame& a, const Frame& b, int tolerance = 0);
 // Pixels on different sides of 0.5; all of them if the sizes differ.

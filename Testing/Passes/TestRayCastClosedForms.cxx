@@ -115,7 +115,9 @@ Occluder ImpostorSphere()
   Occluder occluder;
   occluder.add = [](vtkRenderer* renderer, const Placement& placement)
   {
-    const glm::dvec3 centre = placement.Point(SphereCentre);
+    // VTK keeps an impostor's centre in floats, so a far one is placed by its actor.
+    const glm::dvec3 origin(placement.worldFromScene[3]);
+    const glm::dvec3 centre = placement.Point(SphereCentre) - origin;
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->InsertNextPoint(centre.x, centre.y, centre.z);
@@ -129,6 +131,7 @@ Occluder ImpostorSphere()
     mapper->SetRadius(static_cast<float>(Radius * placement.scale));
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
+    actor->SetPosition(origin.x, origin.y, origin.z);
     renderer->AddActor(actor);
   };
   occluder.sees = SeesPastSphere;

@@ -1,0 +1,169 @@
+// The depth map at its default settings (2048 texels) against the truth: three scenes in three windows,
+// and twenty lights and cameras that nobody chose.
+#include "ShadowTest.h"
+#include "TestScenes.h"
+
+#include "vtkShadowErrorMeasure.h"
+
+#include <vtkLightCollection.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+using namespace shadowtest;
+
+namespace
+{
+
+struct WindowSize
+{
+  int width;
+  int height;
+};
+const WindowSize Windows[] = { { 1024, 768 }, { 768, 768 }, { 333, 1000 } };
+
+// What is asked of a scene, in percent of its receiver pixels.
+constexpr double Mismatch = 0.1;
+constexpr double MismatchOfThinThings = 0.8;
+constexpr double Gross = 0.005;
+
+class DepthMapAccuracy : public ShadowTest
+{
+protected:
+  void SetUp() override
+  {
+    ShadowTest::SetUp();
+    this->Renderer->SetPass(this->Shadows);
+  }
+
+  // One row of the table for each light.
+  void CheckLights(const std::string& what, double mismatchLimit);
+  void CheckWindows(const std::string& what, const Subject& subject, double azimuth,
+    double elevation, double mismatchLimit);
+};
+
+void DepthMapAccuracy::CheckLights(const std::string& what, double mismatchLimit)
+{
+  this->Render();
+  this->Renderer->GetLights()->InitTraversal();
+  int index = 0;
+  while (vtkLight* light = this->Renderer->GetLights()->GetNextItem())
+  {
+    vtkNew<vtkShadowErrorMeasure> error;
+    ASSERT_TRUE(error->Measure(this->Renderer, light));
+    const int* size = this->Window->GetSize();
+    std::printf("%-28s %4dx%-4d light %d %-11s receivers %7lld shadow %6lld left out %5lld | mismatch "
+                "%.4f %% (at most %.3f) gross %.5f %% (at most %.3f): %lld false, %lld missed\n",
+      what.c_str(), size[0], size[1], index, light->GetPositional() ? "spot" : "directional",
+      static_cast<long long>(error->GetReceiverPixels()),
+      static_cast<long long>(error->GetShadowPixels()),
+      static_cast<long long>(error->GetUncertainPixels()), error->GetMismatchPercent(),
+      mismatchLimit, error->GetGrossPercent(), Gross,
+      static_cast<long long>(error->GetGrossFalsePixels()),
+      static_cast<long long>(error->GetGrossMissedPixels()));
+    const std::string row = what + ", light " + std::to_string(index++);
+    EXPECT_LE(error->GetMismatchPercent(), mismatchLimit) << row << ": mismatch %";
+    EXPECT_LE(error->GetGrossPercent(), Gross) << row << ": gross %";
+    EXPECT_GT(error->GetShadowPixels(), error->GetReceiverPixels() / 50) << row << ": few shadows";
+    EXPECT_LT(error->GetUncertainPixels(), error->GetReceiverPixels() / 50) << row << ": left out";
+  }
+}
+
+void DepthMapAccuracy::CheckWindows(const std::string& what, const Subject& subject,
+  double azimuth, double elevation, double mismatchLimit)
+{
+  for (const WindowSize& size : Windows)
+  {
+    this->Resize(size.width, size.height);
+    AimCamera(this->Renderer, subject, azimuth, elevation, size.width, size.height);
+    this->CheckLights(what, mismatchLimit);
+  }
+}
+
+}
+
+TEST_F(DepthMapAccuracy, StillLifeWithASpot)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddStillLife(this->Renderer);
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->CheckWindows("still life", subject, -15.0, 28.0, Mismatch);
+}
+
+TEST_F(DepthMapAccuracy, BumpyMeshWithASun)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddBumpyMesh(this->Renderer);
+  AddSun(this->Renderer, -Toward(60.0, 40.0));
+  this->CheckWindows("bumpy mesh", subject, 10.0, 20.0, Mismatch);
+}
+
+TEST_F(DepthMapAccuracy, TubesAndGlyphsWithTwoLights)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddTubesAndGlyphs(this->Renderer);
+  AddSpot(this->Renderer, { 4.0, -3.0, 7.0 }, { 0.0, 0.0, 0.8 }, 30.0);
+  AddSun(this->Renderer, -Toward(-50.0, 50.0));
+  this->CheckWindows("tubes and glyphs", subject, 5.0, 25.0, MismatchOfThinThings);
+
+  this->Shadows->SetTechnique("ray-cast");
+  this->Render();
+  CheckAtLeast("triangles",
+    static_cast<double>(this->Shadows->GetRayCastShadowPass()->GetNumberOfPrimitives()), 200000.0);
+}
+
+// Light and camera are drawn by lot, from fixed seeds; in turn on each of the scenes.
+TEST_F(DepthMapAccuracy, TwentyUnseenViews)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->Resize(1024, 768);
+  for (int seed = 1; seed <= 20; ++seed)
+  {
+    std::mt19937 random(seed);
+    const auto any = [&random](double low, double high)
+    { return low + (high - low) * (random() / double(random.max())); };
+
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->RemoveAllLights();
+    const int scene = seed % 3;
+    const Subject subject = scene == 0 ? AddStillLife(this->Renderer)
+      : scene == 1                     ? AddBumpyMesh(this->Renderer)
+                                       : AddTubesAndGlyphs(this->Renderer);
+    const glm::dvec3 toward = Toward(any(0.0, 360.0), any(25.0, 80.0));
+    if (any(0.0, 1.0) < 0.5)
+    {
+      AddSun(this->Renderer, -toward);
+    }
+    else
+    {
+      AddSpot(this->Renderer, subject.centre + any(2.0, 5.0) * subject.radius * toward,
+        subject.centre, any(25.0, 50.0));
+    }
+    AimCamera(this->Renderer, subject, any(0.0, 360.0), any(10.0, 70.0), 1024, 768);
+
+    const char* names[] = { "still life", "bumpy mesh", "tubes and glyphs" };
+    this->CheckLights(std::string(names[scene]) + ", seed " + std::to_string(seed),
+      scene == 2 ? MismatchOfThinThings : Mismatch);
+  }
+}
+
+// Apart, so that CTest shows it as skipped where the scan is not there.
+class DepthMapAccuracyOnAScan : public DepthMapAccuracy
+{
+};
+
+TEST_F(DepthMapAccuracyOnAScan, ElephantWithASun)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const char* file = std::getenv("VTKSHADOWS_TEST_SCAN");
+  if (!file || !std::ifstream(file))
+  {
+    GTEST_SKIP() << "the scanned mesh " << (file ? file : "(VTKSHADOWS_TEST_SCAN is not set)")
+                 << " is not there; Scripts/demo unpacks it from Debian's libcgal-demo";
+  }
+  const Subject subject = AddScannedMesh(this->Renderer, file);
+  AddSun(this->Renderer, -Toward(50.0, 45.0));
+  this->CheckWindows("elephant", subject, 20.0, 15.0, Mismatch);
+}
