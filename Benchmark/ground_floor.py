@@ -231,7 +231,7 @@ def arrows(per_side):
 
 def tubes_and_glyphs():
     renderer = vtkRenderer()
-    renderer.AddActor(mesh_actor(helices(42, 180), (0.4, 0.6, 0.75)))
+    renderer.AddActor(mesh_actor(helices(30, 250), (0.4, 0.6, 0.75)))
     renderer.AddActor(arrows(18))
     renderer.AddActor(floor_actor(5, 0))
     renderer.AddLight(spot_light((3, -4, 7), (0, 0, 0.8), 35, (0.75, 0.72, 0.65)))

@@ -312,11 +312,11 @@ LightViewResult FitPositional(const ShadowLight& light, const std::vector<BoxCor
     seen = TangentsOf(casters, frame, light.position);
     box = seen.Bounds();
   }
-  else if (isSpot && std::tan(glm::radians(light.coneAngle)) <= WidestTangent)
+  else if (isSpot && TangentsOfCone(light, Frame(light.direction)).whole)
   {
     frame = Frame(light.direction);
     seen = TangentsOf(casters, frame, light.position);
-    box = { glm::dvec2(-Infinity), glm::dvec2(Infinity) };
+    box = { glm::dvec2(-Infinity), glm::dvec2(Infinity) }; // the cone's own sides follow below
   }
   else
   {

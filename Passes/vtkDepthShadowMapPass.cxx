@@ -33,9 +33,21 @@ using vtkshadows::ShadowLight;
 // Texels left free on each side of a map, so that the four around any receiver lie in it.
 constexpr double MarginTexels = 2.0;
 
-// Columns that a layer has beyond its map: without them rows of a power of two fall on the same few lines of
-// a processor's cache.
+// A layer is a few columns wider than its map where the driver lets it: rows of a power of two would fall on
+// the same few lines of a processor's cache.
 constexpr int PaddingTexels = 16;
+
+int TextureLimit()
+{
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  return limit;
+}
+
+int LayerWidth(int resolution)
+{
+  return std::min(resolution + PaddingTexels, TextureLimit());
+}
 
 // Whether the flat piece has every receiver on the light's side of its plane, or on it: then nothing can
 // lie in its shadow.
@@ -173,8 +185,7 @@ void vtkDepthShadowMapPass::SetResolution(int resolution)
 //------------------------------------------------------------------------------
 int vtkDepthShadowMapPass::ResolutionOfDriver() const
 {
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  const int limit = TextureLimit();
   if (this->Resolution <= limit)
   {
     return this->Resolution;
@@ -197,7 +208,7 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
   const int slots = static_cast<int>(lights.size());
   my.UsedResolution = this->ResolutionOfDriver();
   if (my.Maps.Reserve(frame.Window, vtkShadowTextureArray::Format::Depth32F,
-        my.UsedResolution + PaddingTexels, my.UsedResolution, slots))
+        LayerWidth(my.UsedResolution), my.UsedResolution, slots))
   {
     my.States.clear();
   }
@@ -297,7 +308,7 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
 std::string vtkDepthShadowMapPass::GetLookupDeclarations() const
 {
   const int side = this->ResolutionOfDriver();
-  return "#define SHADOW_DEPTH_MAP_WIDTH " + std::to_string(side + PaddingTexels) +
+  return "#define SHADOW_DEPTH_MAP_WIDTH " + std::to_string(LayerWidth(side)) +
     "\n#define SHADOW_DEPTH_MAP_HEIGHT " + std::to_string(side) + "\n" + vtkDepthShadowMapPassLookup;
 }
 

@@ -22,7 +22,7 @@
  * @par Reference
  * Williams 1978 (depth maps); Reeves, Salesin and Cook: Rendering antialiased shadows with depth
  * maps, SIGGRAPH 1987 (percentage-closer filtering); Isidoro: Shadow mapping, GDC 2006 (receiver
- * plane); Holländer et al. and Dou et al. 2014 (adaptive bias).
+ * plane); Dou, Yan, Kerzner, Dai and Wyman: Adaptive depth bias for shadow maps, I3D 2014.
  *
  * @sa vtkShadowPass vtkRayCastShadowPass
  */

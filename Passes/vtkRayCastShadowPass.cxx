@@ -401,8 +401,8 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
     this->WarnOnce(prop.Source,
       skipped.empty() ? std::string()
                       : std::string("The caster ") + prop.Source->GetClassName() + " has " + skipped +
-          ", which no ray can hit: that part casts nothing by \"ray-cast\". Use \"depth-map\", or "
-          "give it a surface (vtkTubeFilter, vtkGlyph3DMapper).");
+          ": rays see none of that. Use \"depth-map\", or give it a surface (vtkTubeFilter, "
+          "vtkGlyph3DMapper).");
   }
   rtcCommitScene(my.Tree);
   my.Built = true;

@@ -11,6 +11,8 @@
  * Lines, points, sticks (vtkOpenGLStickMapper) and point Gaussians have no surface to hit: they cast
  * nothing here, with one warning.
  *
+ * A mapper's clipping planes cut its triangles; transparent texels of a texture still cast.
+ *
  * A ray starts off the surface by `EpsilonScale` times the rounding bound of its position (float in the
  * eye's frame, float in the scene's), along the face's normal.
  *
@@ -77,19 +79,22 @@ protected:
   std::string GetSamplerName() const override { return "shadowRayCastMasks"; }
 
   /**
-   * Trace the pixels of `receivers` toward `light`: visibility gets one float a pixel, row by row from
-   * the bottom, 1 where there is no receiver. Builds the tree if it is stale.
+   * Build the tree unless it is this frame's.
    */
   bool UpdateTree(const vtkShadowFrame& frame);
+
+  /**
+   * Trace the pixels of `receivers` toward `light`: visibility gets one float a pixel, row by row from
+   * the bottom, 1 where there is no receiver.
+   */
+  bool TraceVisibility(const vtkShadowFrame& frame, const vtkShadowReceiverBuffer& receivers,
+    const vtkshadows::ShadowLight& light, double epsilonScale, std::vector<float>& visibility);
 
   /**
    * Seconds that a bare loop of rtcOccluded1 over all cores takes for one frame's rays of hard lights: the
    * limit to hold TraceSeconds against. 0 if there is no tree.
    */
   double TimeBareTracing(const vtkShadowFrame& frame);
-
-  bool TraceVisibility(const vtkShadowFrame& frame, const vtkShadowReceiverBuffer& receivers,
-    const vtkshadows::ShadowLight& light, double epsilonScale, std::vector<float>& visibility);
 
   int LightSamples = 64;
   double EpsilonScale = 1.0;

@@ -15,6 +15,8 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkMath.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -175,6 +177,60 @@ void AppendTree(Geometry& out, vtkDataObject* data, vtkCompositeDataDisplayAttri
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     AppendTree(out, it->GetCurrentDataObject(), attributes, visible, traceFromModel);
+  }
+}
+
+// What lies on the cut-off side of a mapper's clipping plane (n.x < d) does not cast: triangles are cut by it
+// (Sutherland and Hodgman 1974).
+void ClipBy(Geometry& out, const glm::dvec4& plane)
+{
+  const auto height = [&plane](const glm::vec3& v)
+  { return glm::dot(glm::dvec3(plane), glm::dvec3(v)) - plane.w; };
+  std::vector<glm::uvec3> kept;
+  for (const glm::uvec3& triangle : out.Triangles)
+  {
+    unsigned int corners[4];
+    int count = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const unsigned int a = triangle[i], b = triangle[(i + 1) % 3];
+      const glm::vec3 from = out.Vertices[a], to = out.Vertices[b];
+      const double fromHeight = height(from), toHeight = height(to);
+      if (fromHeight >= 0.0)
+      {
+        corners[count++] = a;
+      }
+      if ((fromHeight >= 0.0) != (toHeight >= 0.0))
+      {
+        corners[count++] = static_cast<unsigned int>(out.Vertices.size());
+        out.Vertices.emplace_back(glm::mix(
+          glm::dvec3(from), glm::dvec3(to), fromHeight / (fromHeight - toHeight)));
+      }
+    }
+    for (int i = 1; i + 1 < count; ++i)
+    {
+      kept.emplace_back(corners[0], corners[i], corners[i + 1]);
+    }
+  }
+  out.Triangles.swap(kept);
+}
+
+void ClipByPlanes(Geometry& out, vtkMapper* mapper, const glm::dmat4& traceFromWorld)
+{
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    double normal[3], origin[3];
+    planes->GetItem(i)->GetNormal(normal);
+    planes->GetItem(i)->GetOrigin(origin);
+    const glm::dvec3 n(normal[0], normal[1], normal[2]);
+    // traceFromWorld moves and scales, but does not turn: normals stay.
+    const glm::dvec3 p(traceFromWorld * glm::dvec4(origin[0], origin[1], origin[2], 1.0));
+    ClipBy(out, glm::dvec4(n, glm::dot(n, p)));
+    if (!out.Spheres.empty())
+    {
+      out.Skipped = "clipping planes, which do not cut spheres here";
+    }
   }
 }
 
@@ -409,5 +465,6 @@ vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(
     AppendTree(out, piece.Mapper->GetInputDataObject(0, 0), AttributesOf(piece.Mapper), true,
       traceFromModel);
   }
+  ClipByPlanes(out, piece.Mapper, traceFromWorld);
   return out;
 }

@@ -9,7 +9,7 @@
  * @endcode
  * The truth of a pixel is a ray from the receiver's own position there, so that a disagreement about which
  * surface is seen cannot pass for one about shadow. Measured are the receiver pixels whose face looks
- * toward the light (N.L above 0.02) and whose truth does not change between a ray epsilon and four times it;
+ * toward the light (N.L above 0.02), which lie in a spot's cone, and whose truth does not change between a ray epsilon and four times it;
  * the latter are left out and counted.
  * - **mismatch**: share of pixels whose visibility differs from the truth by more than 0.5;
  * - **gross**: how many of those lie more than 2 px from any true shadow edge: false (acne, bars) and

@@ -280,8 +280,6 @@ std::string vtkShadowedShadingPass::Declarations() const
 }
 
 //------------------------------------------------------------------------------
-// The lights whose position goes through the rasteriser rather than being transformed for each fragment: a
-// software rasteriser reads the 16 uniforms of a matrix for every few pixels.
 std::vector<std::size_t> vtkShadowedShadingPass::LightsOfForm(
   vtkShadowTechniquePass::VisibilityForm form) const
 {
@@ -297,6 +295,8 @@ std::vector<std::size_t> vtkShadowedShadingPass::LightsOfForm(
 }
 
 //------------------------------------------------------------------------------
+// A light's space goes through the rasteriser rather than being transformed to for each fragment: a software
+// rasteriser reads the 16 uniforms of a matrix for every few pixels.
 void vtkShadowedShadingPass::PlacePositions(
   std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader) const
 {

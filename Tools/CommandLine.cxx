@@ -58,7 +58,7 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
       "--floor", raw.floor, "auto (under the scene), none, or NX,NY,NZ,D: the plane n.x = D")
     ->type_name("SPEC")
     ->capture_default_str();
-  app.add_option("--resolution", raw.resolution, "texels along a side of a depth map")
+  app.add_option("--resolution", raw.resolution, "texels on the longer side of a depth map")
     ->type_name("N");
   app
     .add_option(

@@ -81,7 +81,7 @@ def enable(
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
         of drawing if it has none. ray-cast needs one that draws at the renderer's own size: for
         supersampling, say, make the vtkShadowPass that pass's delegate instead.
-    resolution : depth-map: width and height of each map in texels, 1 or more (2048).
+    resolution : depth-map: texels on the longer side of each map, 1 or more (2048).
     light_samples : ray-cast: rays for a light with a radius, 1 to 4096 (64).
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.

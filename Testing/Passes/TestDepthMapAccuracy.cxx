@@ -1,5 +1,5 @@
-// The depth map at its default settings (2048 texels) against the truth: three scenes in three windows,
-// and twenty lights and cameras that nobody chose.
+// The depth map at its default settings (2048 texels) against the truth: three scenes in three
+// windows, and twenty lights and cameras that nobody chose.
 #include "ShadowTest.h"
 #include "TestScenes.h"
 
@@ -54,8 +54,9 @@ void DepthMapAccuracy::CheckLights(const std::string& what, double mismatchLimit
     vtkNew<vtkShadowErrorMeasure> error;
     ASSERT_TRUE(error->Measure(this->Renderer, light));
     const int* size = this->Window->GetSize();
-    std::printf("%-28s %4dx%-4d light %d %-11s receivers %7lld shadow %6lld left out %5lld | mismatch "
-                "%.4f %% (at most %.3f) gross %.5f %% (at most %.3f): %lld false, %lld missed\n",
+    std::printf(
+      "%-28s %4dx%-4d light %d %-11s receivers %7lld shadow %6lld left out %5lld | mismatch "
+      "%.4f %% (at most %.3f) gross %.5f %% (at most %.3f): %lld false, %lld missed\n",
       what.c_str(), size[0], size[1], index, light->GetPositional() ? "spot" : "directional",
       static_cast<long long>(error->GetReceiverPixels()),
       static_cast<long long>(error->GetShadowPixels()),
@@ -71,8 +72,8 @@ void DepthMapAccuracy::CheckLights(const std::string& what, double mismatchLimit
   }
 }
 
-void DepthMapAccuracy::CheckWindows(const std::string& what, const Subject& subject,
-  double azimuth, double elevation, double mismatchLimit)
+void DepthMapAccuracy::CheckWindows(const std::string& what, const Subject& subject, double azimuth,
+  double elevation, double mismatchLimit)
 {
   for (const WindowSize& size : Windows)
   {

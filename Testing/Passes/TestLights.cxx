@@ -1,5 +1,5 @@
-// Every kind of vtkLight: its visibility against the truth, and its colour against VTK's own frame with the
-// light switched off where it is not seen.
+// Every kind of vtkLight: its visibility against the truth, and its colour against VTK's own frame
+// with the light switched off where it is not seen.
 #include "ShadowTest.h"
 
 #include "vtkShadowScene.h"
@@ -78,8 +78,8 @@ Frame Lights::RenderWithout(const Lamps& lamps, std::uint32_t off)
   return frame;
 }
 
-// Pixels are told apart by which lights they do not see; each such group must look like VTK's own frame
-// without those lights. Pixels that see a part of a light (the filtered edge) are left out.
+// Pixels are told apart by which lights they do not see; each such group must look like VTK's own
+// frame without those lights. Pixels that see a part of a light (the filtered edge) are left out.
 void Lights::CheckColours(const std::string& what, const Lamps& lamps)
 {
   constexpr std::size_t mostGroups = 10;
@@ -111,8 +111,8 @@ void Lights::CheckColours(const std::string& what, const Lamps& lamps)
   {
     largest.push_back(group.first);
   }
-  std::sort(largest.begin(), largest.end(), [&groups](std::uint32_t a, std::uint32_t b)
-    { return groups[a].size() > groups[b].size(); });
+  std::sort(largest.begin(), largest.end(),
+    [&groups](std::uint32_t a, std::uint32_t b) { return groups[a].size() > groups[b].size(); });
   largest.resize(std::min(largest.size(), mostGroups));
 
   std::size_t wrong = 0, asked = 0;
@@ -176,8 +176,7 @@ Lamps AddRing(vtkRenderer* renderer, int count)
   for (int i = 0; i < count; ++i)
   {
     const double angle = 2.0 * std::acos(-1.0) * i / count;
-    const glm::dvec3 place(
-      4.0 * std::cos(angle), 4.0 * std::sin(angle), 4.0 + 0.3 * (i % 4));
+    const glm::dvec3 place(4.0 * std::cos(angle), 4.0 * std::sin(angle), 4.0 + 0.3 * (i % 4));
     auto lamp = i % 2 == 0 ? AddSun(renderer, -place)
                            : AddSpot(renderer, place, glm::dvec3(0.0, 0.0, 0.3), 50.0);
     lamp->SetColor(0.4 + 0.3 * (i % 3), 0.4 + 0.3 * ((i + 1) % 3), 0.4 + 0.3 * ((i + 2) % 3));
@@ -298,8 +297,8 @@ TEST_F(Lights, SwitchedOffLightsAreSkipped)
   auto on = AddSun(this->Renderer, { 1.0, 0.7, -1.2 });
   off->SwitchOff();
   this->CheckTechniques("after one that is off", { on });
-  Check("lights of the scene",
-    static_cast<double>(this->Shadows->GetScene()->GetNumberOfLights()), 1.0);
+  Check("lights of the scene", static_cast<double>(this->Shadows->GetScene()->GetNumberOfLights()),
+    1.0);
 
   const Visibility before = this->VisibilityBy("depth-map", on);
   this->Renderer->RemoveLight(off);

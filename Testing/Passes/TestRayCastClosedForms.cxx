@@ -1,6 +1,6 @@
-// The ray cast, which every other technique is held against, against formulas: a sphere, a box and a disc
-// over a floor. Each floor pixel's position is worked out in double from its own eye ray and the
-// floor's known plane, so nothing that OpenGL drew comes into the expected answer.
+// The ray cast, which every other technique is held against, against formulas: a sphere, a box and
+// a disc over a floor. Each floor pixel's position is worked out in double from its own eye ray and
+// the floor's known plane, so nothing that OpenGL drew comes into the expected answer.
 #include "ShadowTest.h"
 
 #include "ClosedForms.h"
@@ -64,8 +64,8 @@ std::vector<Placement> Placements()
 }
 
 //------------------------------------------------------------------------------
-// What stands between light and floor, and what a formula says of it. A tessellation lies between the
-// round shape and a smaller one: a point that those two disagree about is left out.
+// What stands between light and floor, and what a formula says of it. A tessellation lies between
+// the round shape and a smaller one: a point that those two disagree about is left out.
 struct Occluder
 {
   std::function<void(vtkRenderer*, const Placement&)> add;
@@ -154,7 +154,8 @@ Occluder TessellatedSphere()
   };
   occluder.sees = SeesPastSphere;
   // A facet is nearest to the centre at most half a step of both angles from its corners.
-  occluder.within = std::cos(glm::radians(180.0) / sides) * std::cos(glm::radians(90.0) / (sides - 1));
+  occluder.within =
+    std::cos(glm::radians(180.0) / sides) * std::cos(glm::radians(90.0) / (sides - 1));
   return occluder;
 }
 
@@ -168,11 +169,10 @@ Occluder Box()
     box->SetBounds(-BoxHalf.x, BoxHalf.x, -BoxHalf.y, BoxHalf.y, -BoxHalf.z, BoxHalf.z);
     AddActor(renderer, Placed(box, placement.worldFromScene * SceneFromBox()));
   };
-  occluder.sees = [](const glm::dvec3& pointWC, const ShadowLight& light, const Placement& placement,
-                    double)
+  occluder.sees =
+    [](const glm::dvec3& pointWC, const ShadowLight& light, const Placement& placement, double)
   {
-    const glm::dmat4 boxFromWorld =
-      glm::affineInverse(placement.worldFromScene * SceneFromBox());
+    const glm::dmat4 boxFromWorld = glm::affineInverse(placement.worldFromScene * SceneFromBox());
     return vtkshadows::SeesLightPastBox(pointWC, light, -BoxHalf, BoxHalf, boxFromWorld);
   };
   return occluder;
@@ -194,8 +194,8 @@ Occluder Disc()
       std::acos(glm::dot(up, normal)), glm::normalize(glm::cross(up, normal)));
     AddActor(renderer, Placed(disc, placement.worldFromScene * place));
   };
-  occluder.sees = [](const glm::dvec3& pointWC, const ShadowLight& light, const Placement& placement,
-                    double share)
+  occluder.sees = [](const glm::dvec3& pointWC, const ShadowLight& light,
+                    const Placement& placement, double share)
   {
     return vtkshadows::SeesLightPastDisc(pointWC, light, placement.Point(DiscCentre),
       placement.Direction(DiscNormal), share * Radius * placement.scale);
@@ -252,7 +252,8 @@ public:
                                       : std::tan(glm::radians(0.5 * camera->GetViewAngle()));
   }
 
-  // Where the ray through the pixel's centre meets the plane through `origin`; false if it does not.
+  // Where the ray through the pixel's centre meets the plane through `origin`; false if it does
+  // not.
   bool Meet(int x, int y, const glm::dvec3& origin, const glm::dvec3& normal, glm::dvec3& pointWC)
   {
     const double perPixel = 2.0 * this->HalfHeight / this->Height;
@@ -309,7 +310,8 @@ Expected Expect(vtkRenderer* renderer, int width, int height, const Occluder& oc
   for (std::size_t i = 0; i < expected.truth.size(); ++i)
   {
     glm::dvec3 pointWC;
-    if (!eye.Meet(static_cast<int>(i % width), static_cast<int>(i / width), origin, normal, pointWC))
+    if (!eye.Meet(
+          static_cast<int>(i % width), static_cast<int>(i / width), origin, normal, pointWC))
     {
       continue;
     }
@@ -366,8 +368,7 @@ void RayCastClosedForms::CheckScene(
   vtkNew<vtkImageData> image;
   ASSERT_TRUE(shadows->GetVisibility(renderer, lit.light, image));
   const int* size = image->GetDimensions();
-  const Expected expected =
-    Expect(renderer, size[0], size[1], occluder, lit.ray, placement);
+  const Expected expected = Expect(renderer, size[0], size[1], occluder, lit.ray, placement);
   vtkshadows::VisibilityImages images;
   images.width = size[0];
   images.height = size[1];

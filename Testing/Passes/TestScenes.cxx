@@ -103,8 +103,8 @@ vtkSmartPointer<vtkPolyData> MakeStrands(int count, int points)
       // Wound so that neighbours come close and never touch, as streamlines do.
       const double angle = phase + 2.5 * Pi * t + 0.1 * std::sin(9.0 * t + 5.0 * phase);
       const double reach = 1.2 + 0.6 * std::sin(3.0 * t + 2.0 * phase);
-      lines->InsertCellPoint(where->InsertNextPoint(
-        reach * std::cos(angle), reach * std::sin(angle), 0.15 + 2.4 * t));
+      lines->InsertCellPoint(
+        where->InsertNextPoint(reach * std::cos(angle), reach * std::sin(angle), 0.15 + 2.4 * t));
     }
   }
   strands->SetPoints(where);
@@ -252,8 +252,8 @@ glm::dvec3 Toward(double azimuth, double elevation)
   return { std::cos(e) * std::sin(a), -std::cos(e) * std::cos(a), std::sin(e) };
 }
 
-void AimCamera(
-  vtkRenderer* renderer, const Subject& subject, double azimuth, double elevation, int width, int height)
+void AimCamera(vtkRenderer* renderer, const Subject& subject, double azimuth, double elevation,
+  int width, int height)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const double narrow = std::min(1.0, double(width) / height);

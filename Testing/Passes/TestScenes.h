@@ -1,4 +1,5 @@
-// Scenes that several suites draw. Each stands on the plane z = 0, about the z axis, with a floor under it.
+// Scenes that several suites draw. Each stands on the plane z = 0, about the z axis, with a floor
+// under it.
 #ifndef vtkshadows_TestScenes_h
 #define vtkshadows_TestScenes_h
 
@@ -28,7 +29,8 @@ Subject AddStillLife(vtkRenderer* renderer);
 // A closed mesh of 115 000 triangles with large and fine bumps: a made stand-in for a scan.
 Subject AddBumpyMesh(vtkRenderer* renderer);
 
-// A scanned mesh, y up, set on the floor; from an OFF file. Throws std::runtime_error if it cannot be read.
+// A scanned mesh, y up, set on the floor; from an OFF file. Throws std::runtime_error if it cannot
+// be read.
 Subject AddScannedMesh(vtkRenderer* renderer, const std::string& file);
 
 // Thin tubes among small glyphs: 330 000 triangles.
@@ -38,10 +40,10 @@ Subject AddTubesAndGlyphs(vtkRenderer* renderer);
 vtkSmartPointer<vtkPolyData> MakeSurface(
   int uCells, int vCells, const std::function<glm::dvec3(double, double)>& position);
 
-// Fills the frame with the subject, seen from `azimuth` (0: from -y; 90: from +x) and `elevation` above the
-// horizon, in degrees.
-void AimCamera(
-  vtkRenderer* renderer, const Subject& subject, double azimuth, double elevation, int width, int height);
+// Fills the frame with the subject, seen from `azimuth` (0: from -y; 90: from +x) and `elevation`
+// above the horizon, in degrees.
+void AimCamera(vtkRenderer* renderer, const Subject& subject, double azimuth, double elevation,
+  int width, int height);
 
 // Unit vector from the subject toward that place in the sky.
 glm::dvec3 Toward(double azimuth, double elevation);
