@@ -15,9 +15,11 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkMath.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -58,6 +60,18 @@ struct SphereAccess : vtkOpenGLSphereMapper
 {
   static const char* ScaleName(vtkOpenGLSphereMapper* m) { return m->*(&SphereAccess::ScaleArray); }
 };
+
+struct StickAccess : vtkOpenGLStickMapper
+{
+  static const char* ScaleName(vtkOpenGLStickMapper* m) { return m->*(&StickAccess::ScaleArray); }
+};
+
+// Largest length of a tuple of the named point array; 0 if there is none.
+double LargestOf(vtkPolyData* mesh, const char* name)
+{
+  vtkDataArray* values = mesh && name ? mesh->GetPointData()->GetArray(name) : nullptr;
+  return values ? values->GetMaxNorm() : 0.0;
+}
 
 void AppendTriangle(Geometry& out, const glm::uvec3& t)
 {
@@ -270,14 +284,16 @@ public:
   GlyphPlacer(vtkGlyph3DMapper* mapper, vtkDataSet* points)
     : Mapper(mapper)
     , Points(points)
-    , Mask(mapper->GetMasking() ? GlyphAccess::Mask(mapper, points) : nullptr)
+    , Mask(mapper->GetMasking() // VTK heeds bit arrays only
+          ? vtkBitArray::SafeDownCast(GlyphAccess::Mask(mapper, points))
+          : nullptr)
     , Index(GlyphAccess::Index(mapper, points))
     , Orientation(GlyphAccess::Orientation(mapper, points))
     , Scale(GlyphAccess::Scale(mapper, points))
   {
   }
 
-  bool IsMasked(vtkIdType i) const { return this->Mask && this->Mask->GetComponent(i, 0) == 0.0; }
+  bool IsMasked(vtkIdType i) const { return this->Mask && this->Mask->GetValue(i) == 0; }
 
   int SourceOf(vtkIdType i, int sources) const
   {
@@ -373,7 +389,7 @@ private:
 
   vtkGlyph3DMapper* Mapper;
   vtkDataSet* Points;
-  vtkDataArray* Mask;
+  vtkBitArray* Mask;
   vtkDataArray* Index;
   vtkDataArray* Orientation;
   vtkDataArray* Scale;
@@ -435,6 +451,45 @@ void AppendGlyphs(Geometry& out, vtkGlyph3DMapper* mapper, const glm::dmat4& tra
   }
 }
 
+// How far an impostor reaches from its centre; 0 if the mapper draws none.
+double ReachOfImpostors(vtkMapper* mapper)
+{
+  if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(mapper))
+  {
+    const double largest = LargestOf(spheres->GetInput(), SphereAccess::ScaleName(spheres));
+    return largest > 0.0 ? largest : spheres->GetRadius();
+  }
+  if (auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper))
+  {
+    return LargestOf(sticks->GetInput(), StickAccess::ScaleName(sticks));
+  }
+  if (auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper))
+  {
+    // A splat is drawn to three standard deviations.
+    const double largest = LargestOf(splats->GetInput(), splats->GetScaleArray());
+    return 3.0 * splats->GetScaleFactor() * (largest > 0.0 ? largest : 1.0);
+  }
+  return 0.0;
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowCasterGeometry::BoundsOf(vtkMapper* mapper, double bounds[6])
+{
+  mapper->GetBounds(bounds);
+  const double reach = ReachOfImpostors(mapper);
+  auto* centres = vtkPointSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  if (reach > 0.0 && centres && centres->GetPoints())
+  {
+    centres->GetPoints()->GetBounds(bounds);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] -= reach;
+    bounds[2 * axis + 1] += reach;
+  }
+  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
 }
 
 //------------------------------------------------------------------------------

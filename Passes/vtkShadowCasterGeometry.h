@@ -18,6 +18,10 @@ struct vtkShadowCasterGeometry
   std::vector<glm::vec4> Spheres;    // centre, radius
   std::string Skipped;               // what of the piece has no surface here; empty: nothing
 
+  // Bounds, in model coordinates, of what `mapper` draws, its pipeline brought up to date; false if it draws
+  // nothing. Impostor mappers themselves give the bounds of their centres, and only of those in cells.
+  static bool BoundsOf(vtkMapper* mapper, double bounds[6]);
+
   // Extract `piece`, in the space of `traceFromWorld` (so that floats are relative to the scene).
   static vtkShadowCasterGeometry Extract(
     const vtkShadowScene::Piece& piece, const glm::dmat4& traceFromWorld);

@@ -1,5 +1,6 @@
 #include "vtkShadowScene.h"
 
+#include "vtkShadowCasterGeometry.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSceneData.h"
@@ -18,6 +19,8 @@
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
@@ -123,6 +126,27 @@ vtkMTimeType DeepMTime(vtkDataObject* data)
   return time;
 }
 
+// When a mapper last changed in a way that changes what it casts. A mapper's own time grows with its colours,
+// too; where it places or shapes things by settings of its own there is no other.
+vtkMTimeType ShapeMTime(vtkMapper* mapper)
+{
+  const bool isPlain = (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper")) &&
+    !mapper->IsA("vtkCompositePolyDataMapper") && !mapper->IsA("vtkCompositePolyDataMapper2") &&
+    !mapper->IsA("vtkOpenGLSphereMapper") && !mapper->IsA("vtkOpenGLStickMapper") &&
+    !mapper->IsA("vtkPointGaussianMapper");
+  if (!isPlain)
+  {
+    return mapper->GetMTime();
+  }
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  vtkMTimeType time = planes ? planes->GetMTime() : 0;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, planes->GetItem(i)->GetMTime());
+  }
+  return time;
+}
+
 template <typename T>
 void Append(std::vector<std::uint64_t>& signature, T value)
 {
@@ -137,7 +161,7 @@ std::vector<std::uint64_t> SignatureOf(const Scene::Piece& piece)
   std::vector<std::uint64_t> signature;
   Append(signature, piece.Prop);
   Append(signature, piece.Mapper);
-  Append(signature, piece.Mapper->GetMTime());
+  Append(signature, ShapeMTime(piece.Mapper));
   for (int port = 0; port < piece.Mapper->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < piece.Mapper->GetNumberOfInputConnections(port); ++i)
@@ -292,9 +316,8 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
   {
     return;
   }
-  // Asking for the bounds brings the mapper's pipeline up to date.
-  const double* bounds = mapper->GetBounds();
-  if (!bounds || !(bounds[0] <= bounds[1]))
+  double bounds[6];
+  if (!vtkShadowCasterGeometry::BoundsOf(mapper, bounds))
   {
     return;
   }

@@ -85,8 +85,9 @@ protected:
   /**
    * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int slot, vec4 position)`; the name of f for
    * a light; and the matrix, column-major, that takes a receiver's position from the eye's view coordinates to
-   * the space that f wants it in, which vtkShadowedShadingPass applies. f may ask for screen derivatives.
-   * Every name in it begins with "shadow".
+   * the space that f wants it in, which vtkShadowedShadingPass applies. f takes the receiver's plane from
+   * screen derivatives; an impostor, beside whose rim there are none, calls `f(slot, position, along1,
+   * along2)` with two directions on its plane, by the same matrix. Every name in it begins with "shadow".
    */
   virtual std::string GetLookupDeclarations() const { return {}; }
   virtual std::string GetLookupFunction(const vtkshadows::ShadowLight&) const { return {}; }

@@ -68,6 +68,32 @@ std::string MatrixUniform(std::size_t light)
 // OpenGL takes 15 vectors, of which VTK needs some.
 constexpr std::size_t MostVaryings = 8;
 
+// Where a fragment's position and plane come from.
+enum class Surface
+{
+  Vertices, // its mesh: the rasteriser carries positions, and screen derivatives give the plane
+  Fragment, // its mesh, but a geometry shader lies between
+  Impostor  // the fragment shader, which also knows the normal
+};
+
+Surface SurfaceOf(const std::string& vertexShader, const std::string& geometryShader,
+  const std::string& fragmentShader)
+{
+  const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
+  const std::size_t declared = fragmentShader.find(position);
+  const bool moves = fragmentShader.find("vertexVC.xyz =") != std::string::npos ||
+    (declared != std::string::npos &&
+      fragmentShader.find(" vertexVC =", declared + position.size()) != std::string::npos);
+  if (moves && fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos)
+  {
+    return Surface::Impostor;
+  }
+  const bool isPlain = !moves && geometryShader.empty() && declared != std::string::npos &&
+    vertexShader.find("vertexVCVSOutput =") != std::string::npos &&
+    vertexShader.find(VertexMark) != std::string::npos;
+  return isPlain ? Surface::Vertices : Surface::Fragment;
+}
+
 bool Declares(const std::string& source, const std::string& uniform)
 {
   return source.find("uniform vec3 " + uniform + ";") != std::string::npos;
@@ -305,14 +331,8 @@ void vtkShadowedShadingPass::PlacePositions(
   {
     lookups = this->LightsOfForm(vtkShadowTechniquePass::LOOKUP);
   }
-  // Only where the fragment's position is the vertices' own: no impostor, no geometry shader.
-  const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
-  const std::size_t declared = fragmentShader.find(position);
-  const bool isPlain = geometryShader.empty() && declared != std::string::npos &&
-    fragmentShader.find("vertexVC.xyz =") == std::string::npos &&
-    fragmentShader.find(" vertexVC =", declared + position.size()) == std::string::npos &&
-    vertexShader.find("vertexVCVSOutput =") != std::string::npos &&
-    vertexShader.find(VertexMark) != std::string::npos;
+  const bool isPlain =
+    SurfaceOf(vertexShader, geometryShader, fragmentShader) == Surface::Vertices;
 
   std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
   for (std::size_t n = 0; n < lookups.size(); ++n)
@@ -337,9 +357,16 @@ void vtkShadowedShadingPass::PlacePositions(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader) const
+std::string vtkShadowedShadingPass::LightCode(
+  const std::string& fragmentShader, bool isImpostor) const
 {
   std::ostringstream code;
+  if (isImpostor)
+  {
+    code << "  vec3 shadowAlong1 = normalize(cross(normalVCVSOutput, abs(normalVCVSOutput.x) < 0.6 ? "
+            "vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));\n"
+            "  vec3 shadowAlong2 = cross(normalVCVSOutput, shadowAlong1);\n";
+  }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
     const LightPlan& light = this->Plan[i];
@@ -356,7 +383,13 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader)
     }
     else
     {
-      code << light.LookupFunction << "(" << light.Slot << ", " << PositionVarying(i) << ");\n";
+      code << light.LookupFunction << "(" << light.Slot << ", " << PositionVarying(i);
+      if (isImpostor)
+      {
+        code << ", " << MatrixUniform(i) << " * vec4(shadowAlong1, 0.0), " << MatrixUniform(i)
+             << " * vec4(shadowAlong2, 0.0)";
+      }
+      code << ");\n";
     }
     const std::string factor = light.Strength < 1.0f
       ? "mix(1.0, " + Visibility(i) + ", " + StrengthUniform(i) + ")"
@@ -367,11 +400,13 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkShadowedShadingPass::OutputCode(const std::string& fragmentShader) const
+std::string vtkShadowedShadingPass::OutputCode(
+  const std::string& fragmentShader, bool isImpostor) const
 {
   if (this->CurrentStage == POSITIONS)
   {
-    return "  gl_FragData[0] = shadowReceiver(vertexVC.xyz);\n";
+    return isImpostor ? "  gl_FragData[0] = shadowReceiver(vertexVC.xyz, normalVCVSOutput);\n"
+                      : "  gl_FragData[0] = shadowReceiver(vertexVC.xyz);\n";
   }
   if (this->CurrentStage == VISIBILITY)
   {
@@ -443,9 +478,12 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
     vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->NoReceiver());
     return true;
   }
+  const bool isImpostor =
+    SurfaceOf(vertexShader, geometryShader, fragmentShader) == Surface::Impostor;
   vtkShaderProgram::Substitute(fragmentShader, LightMark,
-    this->CurrentStage == POSITIONS ? std::string() : this->LightCode(fragmentShader));
-  vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->OutputCode(fragmentShader));
+    this->CurrentStage == POSITIONS ? std::string() : this->LightCode(fragmentShader, isImpostor));
+  vtkShaderProgram::Substitute(
+    fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor));
   this->PlacePositions(vertexShader, geometryShader, fragmentShader);
   return true;
 }

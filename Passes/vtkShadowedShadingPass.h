@@ -106,8 +106,8 @@ private:
 
   std::vector<vtkShadowTechniquePass*> TechniquesInPlan() const;
   std::string Declarations() const;
-  std::string LightCode(const std::string& fragmentShader) const;
-  std::string OutputCode(const std::string& fragmentShader) const;
+  std::string LightCode(const std::string& fragmentShader, bool isImpostor) const;
+  std::string OutputCode(const std::string& fragmentShader, bool isImpostor) const;
   std::string NoReceiver() const;
   std::vector<std::size_t> LightsOfForm(vtkShadowTechniquePass::VisibilityForm form) const;
   void PlacePositions(std::string& vertexShader, const std::string& geometryShader,

@@ -21,12 +21,11 @@ vec4 shadowDepthMapGather(int slot, vec2 corner)
 #endif
 }
 
-// p: texels, and depth less the bound of its rounding.
-float shadowDepthMapCompare(int slot, vec3 p)
+// p: texels, and depth less the bound of its rounding; dx, dy: how p changes along two directions on the
+// receiver's plane.
+float shadowDepthMapCompare(int slot, vec3 p, vec3 dx, vec3 dy)
 {
-  // The receiver's plane in the map: depth change per texel, solved from the screen derivatives.
-  vec3 dx = dFdx(p);
-  vec3 dy = dFdy(p);
+  // The receiver's plane in the map: depth change per texel.
   float determinant = dx.x * dy.y - dx.y * dy.x;
   float inverse = determinant != 0.0 ? 1.0 / determinant : 0.0;
   vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
@@ -50,12 +49,26 @@ float shadowDepthMapCompare(int slot, vec3 p)
 
 float shadowDepthMapParallel(int slot, vec4 q)
 {
-  return shadowDepthMapCompare(slot, q.xyz);
+  return shadowDepthMapCompare(slot, q.xyz, dFdx(q.xyz), dFdy(q.xyz));
 }
 
+float shadowDepthMapParallel(int slot, vec4 q, vec4 dq1, vec4 dq2)
+{
+  return shadowDepthMapCompare(slot, q.xyz, dq1.xyz, dq2.xyz);
+}
+
+// Behind a light nothing was drawn.
 float shadowDepthMapPerspective(int slot, vec4 q)
 {
-  float visibility = shadowDepthMapCompare(slot, q.xyz / q.w);
-  // Behind the light nothing was drawn.
+  vec3 p = q.xyz / q.w;
+  float visibility = shadowDepthMapCompare(slot, p, dFdx(p), dFdy(p));
+  return q.w > 0.0 ? visibility : 1.0;
+}
+
+float shadowDepthMapPerspective(int slot, vec4 q, vec4 dq1, vec4 dq2)
+{
+  vec3 p = q.xyz / q.w;
+  float visibility =
+    shadowDepthMapCompare(slot, p, (dq1.xyz - p * dq1.w) / q.w, (dq2.xyz - p * dq2.w) / q.w);
   return q.w > 0.0 ? visibility : 1.0;
 }

@@ -16,17 +16,17 @@ float shadowNormalCode(vec3 n)
   return code.y * 4096.0 + code.x + 1.0;
 }
 
-// The face's normal from the position's screen derivatives, toward the eye.
-vec3 shadowFaceNormal(vec3 positionVC)
+// A receiver with the normal of an impostor, of any length.
+vec4 shadowReceiver(vec3 positionVC, vec3 normalVC)
 {
-  vec3 n = cross(dFdx(positionVC), dFdy(positionVC));
-  float length2 = dot(n, n);
-  n = length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
+  float length2 = dot(normalVC, normalVC);
+  vec3 n = length2 > 0.0 ? normalVC * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
   vec3 toEye = shadowParallelEye != 0 ? vec3(0.0, 0.0, 1.0) : -positionVC;
-  return dot(n, toEye) < 0.0 ? -n : n;
+  return vec4(positionVC, shadowIsReceiver * shadowNormalCode(dot(n, toEye) < 0.0 ? -n : n));
 }
 
+// A receiver with its face's normal, from the position's screen derivatives.
 vec4 shadowReceiver(vec3 positionVC)
 {
-  return vec4(positionVC, shadowIsReceiver * shadowNormalCode(shadowFaceNormal(positionVC)));
+  return shadowReceiver(positionVC, cross(dFdx(positionVC), dFdy(positionVC)));
 }

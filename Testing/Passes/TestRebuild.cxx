@@ -75,6 +75,8 @@ void Rebuild::CheckFresh(const std::string& what, const Frame& frame, const std:
 {
   vtkNew<vtkShadowPass> fresh;
   fresh->SetTechnique(technique);
+  fresh->GetDepthShadowMapPass()->SetResolution(
+    this->Shadows->GetDepthShadowMapPass()->GetResolution());
   this->Renderer->SetPass(fresh);
   const Frame expected = this->Render();
   this->Renderer->SetPass(this->Shadows);

@@ -1,0 +1,116 @@
+// What only a picture can show: whole frames, held against Testing/Baseline by VTK's own comparison. What
+// was drawn is left in the build's folder, beside the difference where there is one; look at it before you
+// make it the new baseline.
+#include "ShadowTest.h"
+#include "TestScenes.h"
+
+#include <vtkImageData.h>
+#include <vtkImageDifference.h>
+#include <vtkImageShiftScale.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+
+#include <cstdlib>
+#include <fstream>
+
+using namespace shadowtest;
+
+namespace
+{
+
+// VTK's own measure and limit: 10 is what its tests call the same picture.
+constexpr double MostDifference = 10.0;
+
+std::string FolderOf(const char* variable)
+{
+  const char* folder = std::getenv(variable);
+  return folder ? folder : ".";
+}
+
+class Regression : public ShadowTest
+{
+protected:
+  void SetUp() override
+  {
+    ShadowTest::SetUp();
+    this->Renderer->SetBackground(0.95, 0.95, 0.97);
+    const Subject subject = AddStillLife(this->Renderer);
+    AimCamera(this->Renderer, subject, -15.0, 28.0, 400, 300);
+    this->Renderer->SetPass(this->Shadows);
+  }
+
+  // A dim light at the eye, so that shadows are not black.
+  void AddFillLight()
+  {
+    auto fill = AddSun(this->Renderer, { 0.0, 0.0, -1.0 });
+    fill->SetLightTypeToHeadlight();
+    fill->SetIntensity(0.25);
+  }
+
+  void CheckPicture(const std::string& name);
+};
+
+void Regression::CheckPicture(const std::string& name)
+{
+  const std::string drawn = FolderOf("VTKSHADOWS_TEST_OUTPUT") + "/" + name + ".png";
+  const std::string baseline = FolderOf("VTKSHADOWS_TEST_BASELINE") + "/" + name + ".png";
+  WritePng(this->Render(), drawn);
+  ASSERT_TRUE(std::ifstream(baseline)) << "no baseline " << baseline << "; what was drawn is " << drawn;
+
+  vtkNew<vtkPNGReader> got, expected;
+  got->SetFileName(drawn.c_str());
+  expected->SetFileName(baseline.c_str());
+  vtkNew<vtkImageDifference> difference;
+  difference->SetInputConnection(got->GetOutputPort());
+  difference->SetImageConnection(expected->GetOutputPort());
+  difference->Update();
+  const double error = difference->GetThresholdedError();
+  if (!CheckAtMost(name + ": difference, as vtkImageDifference has it", error, MostDifference))
+  {
+    vtkNew<vtkImageShiftScale> stronger;
+    stronger->SetInputConnection(difference->GetOutputPort());
+    stronger->SetScale(10.0);
+    stronger->ClampOverflowOn();
+    stronger->SetOutputScalarTypeToUnsignedChar();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(stronger->GetOutputPort());
+    writer->SetFileName((FolderOf("VTKSHADOWS_TEST_OUTPUT") + "/" + name + ".diff.png").c_str());
+    writer->Write();
+  }
+}
+
+}
+
+TEST_F(Regression, StillLifeByDepthMap)
+{
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->AddFillLight();
+  this->CheckPicture("StillLifeByDepthMap");
+}
+
+TEST_F(Regression, StillLifeByRayCast)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->AddFillLight();
+  this->Shadows->SetTechnique("ray-cast");
+  this->CheckPicture("StillLifeByRayCast");
+}
+
+TEST_F(Regression, TwoColouredLights)
+{
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 40.0)->SetColor(1.0, 0.6, 0.3);
+  AddSun(this->Renderer, -Toward(-70.0, 45.0))->SetColor(0.3, 0.5, 0.9);
+  this->AddFillLight();
+  this->CheckPicture("TwoColouredLights");
+}
+
+TEST_F(Regression, AreaLightByRayCast)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto lamp = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 40.0);
+  this->AddFillLight();
+  this->Shadows->SetTechnique("ray-cast");
+  this->Shadows->SetLightRadius(lamp, 0.6);
+  this->CheckPicture("AreaLightByRayCast");
+}
