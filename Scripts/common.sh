@@ -3,6 +3,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
+mesh=$build/demo/refined_elephant.off
 
 say() {
   printf '\n==> %s\n' "$*"
@@ -38,4 +39,38 @@ build_tree() {
   }
   say "Building in build/"
   cmake --build "$build"
+}
+
+download_package() {
+  cd "$build/demo"
+  apt-get -q download libcgal-demo || {
+    as_root apt-get -q update
+    apt-get -q download libcgal-demo
+  }
+  dpkg-deb -x libcgal-demo_*.deb package
+}
+
+# CGAL's data files are an archive in libcgal-demo's documentation; slim installations leave
+# documentation out, and then the package is unpacked once more beside the build.
+find_archive() {
+  local archive
+  archive=$(dpkg -L libcgal-demo | grep '/data\.tar\.gz$' || true)
+  if [[ ! -r $archive ]]; then
+    echo "libcgal-demo is installed without its documentation: downloading the package" >&2
+    (download_package) >&2
+    archive=$(find "$build/demo/package" -name data.tar.gz)
+  fi
+  [[ -r $archive ]] || die "libcgal-demo holds no data.tar.gz; give a mesh of yours to build/bin/vtkshadows"
+  echo "$archive"
+}
+
+unpack_mesh() {
+  local archive
+  [[ ! -s $mesh ]] || return 0
+  say "Unpacking $(basename "$mesh"), a scanned mesh, from Debian's libcgal-demo"
+  mkdir -p "$(dirname "$mesh")"
+  archive=$(find_archive)
+  tar -xzOf "$archive" "data/meshes/$(basename "$mesh")" > "$mesh.part"
+  mv "$mesh.part" "$mesh"
+  rm -rf "$build/demo/package" "$build/demo"/libcgal-demo_*.deb
 }

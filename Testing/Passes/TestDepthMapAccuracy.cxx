@@ -5,8 +5,12 @@
 
 #include "vtkShadowErrorMeasure.h"
 
+#include <vtkActorCollection.h>
 #include <vtkImageData.h>
 #include <vtkLightCollection.h>
+#include <vtkMapper.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -49,6 +53,32 @@ vtkIdType CountAcne(vtkShadowErrorMeasure* error)
   return count;
 }
 
+// Moves what stands in the scene: by matrices, or by giving it other coordinates, in double.
+void PlaceActors(vtkRenderer* renderer, vtkTransform* worldFromScene, bool byActor)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor())
+  {
+    if (byActor)
+    {
+      actor->SetUserTransform(worldFromScene);
+      continue;
+    }
+    vtkNew<vtkTransform> worldFromModel;
+    worldFromModel->Concatenate(worldFromScene);
+    worldFromModel->Concatenate(actor->GetMatrix());
+    vtkNew<vtkTransformPolyDataFilter> move;
+    move->SetInputConnection(actor->GetMapper()->GetInputConnection(0, 0));
+    move->SetTransform(worldFromModel);
+    move->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    actor->GetMapper()->SetInputConnection(move->GetOutputPort());
+    actor->SetPosition(0.0, 0.0, 0.0);
+    actor->SetOrientation(0.0, 0.0, 0.0);
+    actor->SetScale(1.0, 1.0, 1.0);
+  }
+}
+
 struct WindowSize
 {
   int width;
@@ -86,6 +116,7 @@ void DepthMapAccuracy::CheckLights(const std::string& what, double mismatchLimit
     vtkNew<vtkShadowErrorMeasure> error;
     ASSERT_TRUE(error->Measure(this->Renderer, light));
     const int* size = this->Window->GetSize();
+    const vtkIdType acne = CountAcne(error);
     std::printf(
       "%-28s %4dx%-4d light %d %-11s receivers %7lld shadow %6lld left out %5lld | mismatch "
       "%.4f %% (at most %.3f) gross %.5f %% (at most %.3f): %lld false, %lld missed, acne %lld\n",
@@ -96,10 +127,11 @@ void DepthMapAccuracy::CheckLights(const std::string& what, double mismatchLimit
       mismatchLimit, error->GetGrossPercent(), Gross,
       static_cast<long long>(error->GetGrossFalsePixels()),
       static_cast<long long>(error->GetGrossMissedPixels()),
-      static_cast<long long>(CountAcne(error)));
+      static_cast<long long>(acne));
     const std::string row = what + ", light " + std::to_string(index++);
     EXPECT_LE(error->GetMismatchPercent(), mismatchLimit) << row << ": mismatch %";
     EXPECT_LE(error->GetGrossPercent(), Gross) << row << ": gross %";
+    EXPECT_LE(100.0 * acne / error->GetReceiverPixels(), Gross) << row << ": acne %";
     EXPECT_GT(error->GetShadowPixels(), error->GetReceiverPixels() / 50) << row << ": few shadows";
     EXPECT_LT(error->GetUncertainPixels(), error->GetReceiverPixels() / 50) << row << ": left out";
   }
@@ -180,6 +212,41 @@ TEST_F(DepthMapAccuracy, TwentyUnseenViews)
     const char* names[] = { "still life", "bumpy mesh", "tubes and glyphs" };
     this->CheckLights(std::string(names[scene]) + ", seed " + std::to_string(seed),
       scene == 2 ? MismatchOfThinThings : Mismatch);
+  }
+}
+
+// Far from the origin, very small, very large; moved by their actors and by their own coordinates.
+TEST_F(DepthMapAccuracy, OffsetsAndScales)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->Resize(640, 480);
+  const struct
+  {
+    const char* name;
+    double offset;
+    double scale;
+  } placements[] = { { "plain", 0.0, 1.0 }, { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
+    { "scale 1e6", 0.0, 1e6 } };
+  for (const auto& placement : placements)
+  {
+    for (const bool byActor : { true, false })
+    {
+      this->Renderer->RemoveAllViewProps();
+      this->Renderer->RemoveAllLights();
+      Subject subject = AddStillLife(this->Renderer);
+      const auto place = [&placement](const glm::dvec3& p)
+      { return glm::dvec3(placement.offset) + placement.scale * p; };
+      vtkNew<vtkTransform> worldFromScene;
+      worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
+      worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
+      PlaceActors(this->Renderer, worldFromScene, byActor);
+      AddSpot(this->Renderer, place({ 3.5, -3.0, 6.5 }), place({ 0.0, 0.0, 0.3 }), 35.0);
+      subject.centre = place(subject.centre);
+      subject.radius *= placement.scale;
+      AimCamera(this->Renderer, subject, -15.0, 28.0, 640, 480);
+      this->CheckLights(
+        std::string(placement.name) + (byActor ? ", by actor" : ", by points"), Mismatch);
+    }
   }
 }
 

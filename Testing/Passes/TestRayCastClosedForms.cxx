@@ -4,6 +4,7 @@
 #include "ShadowTest.h"
 
 #include "ClosedForms.h"
+#include "LightSamples.h"
 #include "VisibilityError.h"
 
 #include <vtkCellArray.h>
@@ -22,6 +23,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -429,4 +431,53 @@ TEST_F(RayCastClosedForms, DiscOverPlane)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
   this->CheckOccluder(Disc());
+}
+
+// A luminous disc is the mean over many points of it, each by the formula.
+TEST_F(RayCastClosedForms, BoxOverPlaneInTheLightOfADisc)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Placement plain = Placements()[0];
+  const Occluder box = Box();
+  AddFloor(this->Renderer, FloorHalf);
+  box.add(this->Renderer, plain);
+  Lit lit = AddLight(this->Renderer, LightKind::Spot, plain);
+  lit.ray.direction = glm::normalize(-lit.ray.position);
+  lit.ray.radius = 0.5;
+  this->Shadows->SetTechnique("ray-cast");
+  this->Shadows->SetLightRadius(lit.light, lit.ray.radius);
+  this->Shadows->GetRayCastShadowPass()->SetLightSamples(256);
+  this->Renderer->SetPass(this->Shadows);
+  LookAt(this->Renderer, { 3.0, -8.0, 7.0 }, { -0.5, 0.5, 0.5 });
+  this->Render();
+  const Visibility got = this->VisibilityOf(lit.light);
+
+  Expected mean = Expect(this->Renderer, got.width, got.height, box, lit.ray, plain);
+  std::fill(mean.truth.begin(), mean.truth.end(), 0.0f);
+  // Not those of the pass: another number of points.
+  const auto samples = vtkshadows::SampleAreaLight(lit.ray, 400, glm::dvec3(0.0));
+  for (const ShadowLight& sample : samples)
+  {
+    const Expected hard = Expect(this->Renderer, got.width, got.height, box, sample, plain);
+    for (std::size_t i = 0; i < mean.truth.size(); ++i)
+    {
+      mean.truth[i] += hard.truth[i] / samples.size();
+    }
+  }
+  double sum = 0.0, largest = 0.0;
+  std::size_t count = 0, partial = 0;
+  for (std::size_t i = 0; i < mean.truth.size(); ++i)
+  {
+    if (mean.roles[i] == PixelRole::Measured)
+    {
+      const double difference = std::abs(got.values[i] - mean.truth[i]);
+      sum += difference;
+      largest = std::max(largest, difference);
+      partial += mean.truth[i] > 0.05f && mean.truth[i] < 0.95f ? 1 : 0;
+      ++count;
+    }
+  }
+  CheckAtMost("mean absolute difference", sum / count, 0.001);
+  CheckAtMost("largest difference", largest, 0.03);
+  EXPECT_GT(partial, 2000u) << "hardly a penumbra";
 }
