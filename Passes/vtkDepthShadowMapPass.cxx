@@ -37,6 +37,8 @@ constexpr double MarginTexels = 2.0;
 // the same few lines of a processor's cache.
 constexpr int PaddingTexels = 16;
 
+constexpr double RiseTexels = 0.5;
+
 int TextureLimit()
 {
   GLint limit = 0;
@@ -120,6 +122,11 @@ glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, i
   const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
   const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
   map[3][2] -= std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24);
+
+  // A share of a texel's own width, as depth: beside the receiver's triangle the surface may rise out of its
+  // plane. In a perspective map both the width and the depth's step go with w, so that it is a constant here, too.
+  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
+  map[3][2] -= RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
   return map;
 }
 

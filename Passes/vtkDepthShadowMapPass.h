@@ -12,8 +12,9 @@
  * the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
  *
  * Bias is automatic: each texel's depth is compared at that texel's centre on the receiver's own
- * plane there, with a slack of half a texel of the plane's slope plus the rounding bound of the
- * position and of the map. There is no constant to tune.
+ * plane there, with a slack of half a texel, along the plane's slope and in depth, plus the rounding bound
+ * of the position and of the map. Where the four texels are of one curved surface, what is not behind it
+ * is lit. There is no constant to tune.
  *
  * Limits: an edge is as sharp as the map's texels; a contact shadow thinner than half a texel
  * of slope is lost. Embossed detail below a texel is not seen. Lines and points cast as wide as they

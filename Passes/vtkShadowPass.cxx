@@ -582,7 +582,13 @@ bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index
 bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility)
 {
   int index = 0;
-  if (!visibility || !this->FindLight(renderer, light, index))
+  if (!visibility)
+  {
+    vtkErrorMacro("GetVisibility(" << renderer << ", " << light
+                                   << ", nullptr): give a vtkImageData to fill.");
+    return false;
+  }
+  if (!this->FindLight(renderer, light, index))
   {
     return false;
   }

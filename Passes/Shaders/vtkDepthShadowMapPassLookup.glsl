@@ -31,7 +31,8 @@ float shadowDepthMapCompare(int slot, vec3 p, vec3 dx, vec3 dy)
   vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
 
   // Half a texel of slope for what the rasteriser did not put exactly at the texel's centre.
-  float slack = min(0.5 * (abs(slope.x) + abs(slope.y)), 1.0);
+  float rise = abs(slope.x) + abs(slope.y);
+  float slack = min(0.5 * rise, 1.0);
 
   // Off the map nothing casts; one texel that stays in the cache stands for all of that.
   const vec2 middle = 0.5 * vec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT);
@@ -44,7 +45,16 @@ float shadowDepthMapCompare(int slot, vec3 p, vec3 dx, vec3 dy)
   float z = p.z - slack - dot(slope, f);
   vec4 receiver = vec4(z + slope.y, z + slope.x + slope.y, z + slope.x, z);
   vec4 lit = step(min(receiver, 1.0), depth);
-  return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+  float visibility = mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+
+  // Where a surface curves, its plane leaves it beside the receiver. If the four depths lie no farther apart
+  // than those of one surface, up to four times as steep as the receiver, they are of one: what is not
+  // behind it is lit.
+  float nearest = min(min(depth.x, depth.y), min(depth.z, depth.w));
+  float farthest = max(max(depth.x, depth.y), max(depth.z, depth.w));
+  float surface = mix(mix(depth.w, depth.z, f.x), mix(depth.x, depth.y, f.x), f.y);
+  bool isLit = farthest - nearest <= 4.0 * rise && p.z - slack <= surface;
+  return isLit ? 1.0 : visibility;
 }
 
 float shadowDepthMapParallel(int slot, vec4 q)

@@ -27,20 +27,20 @@ class vtkPolyData;
 namespace shadowtest
 {
 
-// --- Checks: print got, expected and tolerance, and fail the test where they disagree
-// ---------------
+//------------------------------------------------------------------------------
+// Checks: print got, expected and tolerance, and fail the test where they disagree.
 bool Check(const std::string& what, double got, double expected, double tolerance = 0.0);
 bool CheckAtMost(const std::string& what, double got, double limit);
 bool CheckAtLeast(const std::string& what, double got, double limit);
 
-// --- Messages: whatever VTK warns of or calls an error is kept, and fails the test if left
-// ------------
+//------------------------------------------------------------------------------
+// Messages: whatever VTK warns of or calls an error is kept, and fails the test if left.
 std::vector<std::string> TakeMessages();
 // One message since the last call, with all of `parts` in it.
 void ExpectOneMessage(const std::vector<std::string>& parts);
 
-// --- Pictures: rows from the bottom
-// -----------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Pictures: rows from the bottom.
 struct Frame
 {
   int width = 0;
@@ -76,8 +76,8 @@ struct Pixel
 // Where `renderer` shows a world point, in its own viewport.
 Pixel PixelOf(vtkRenderer* renderer, const glm::dvec3& pointWC);
 
-// --- Parts of a scene
-// -------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Parts of a scene.
 vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* source);
 vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkPolyData* mesh);
 // A square in the plane z = height about the z axis.
@@ -96,8 +96,8 @@ vtkSmartPointer<vtkLight> AddLamp(vtkRenderer* renderer, const glm::dvec3& posit
 
 void LookAt(vtkRenderer* renderer, const glm::dvec3& position, const glm::dvec3& focus);
 
-// --- The test's surroundings: one window, a renderer and a pass that it has not been given yet
-// -------
+//------------------------------------------------------------------------------
+// The test's surroundings: one window, a renderer and a pass that it has not been given yet.
 class ShadowTest : public ::testing::Test
 {
 protected:

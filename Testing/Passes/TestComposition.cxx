@@ -1,6 +1,6 @@
-// Shadows among everything else that VTK's users combine. In each combination: with every light "none" the
-// frame is VTK's own to the byte, shadows are where they should be by either technique, and without the pass
-// the frame is as it was before.
+// Shadows among everything else that VTK's users combine. In each combination: with every light
+// "none" the frame is VTK's own to the byte, shadows are where they should be by either technique,
+// and without the pass the frame is as it was before.
 #include "ShadowTest.h"
 
 #include "vtkShadowOpenGL.h"
@@ -39,7 +39,8 @@ using namespace shadowtest;
 namespace
 {
 
-// A floor, and a box that floats over it in the sun; two places on the floor of which one is in its shadow.
+// A floor, and a box that floats over it in the sun; two places on the floor of which one is in its
+// shadow.
 const glm::dvec3 SunAlong(0.6, 0.3, -1.0);
 const glm::dvec3 LitPlace(-0.9, -1.2, 0.0), ShadowPlace(0.95, 0.4, 0.0);
 
@@ -62,17 +63,19 @@ protected:
 
   // Holds the combination as it is set up now against what the head of this file promises.
   void CheckCombination(const std::string& what);
-  void CheckSamples(const std::string& what, const Frame& frame, const Frame& unshadowed,
-    vtkRenderer* renderer);
+  void CheckSamples(
+    const std::string& what, const Frame& frame, const Frame& unshadowed, vtkRenderer* renderer);
 };
 
-// Frame and unshadowed frame are of the whole window; the places are those of `renderer`'s viewport.
+// Frame and unshadowed frame are of the whole window; the places are those of `renderer`'s
+// viewport.
 void Composition::CheckSamples(
   const std::string& what, const Frame& frame, const Frame& unshadowed, vtkRenderer* renderer)
 {
   const int* origin = renderer->GetOrigin();
   const Pixel lit = PixelOf(renderer, LitPlace), shadow = PixelOf(renderer, ShadowPlace);
-  Check(what + ": brightness of the lit place", frame.Brightness(origin[0] + lit.x, origin[1] + lit.y),
+  Check(what + ": brightness of the lit place",
+    frame.Brightness(origin[0] + lit.x, origin[1] + lit.y),
     unshadowed.Brightness(origin[0] + lit.x, origin[1] + lit.y), 3.0);
   CheckAtMost(what + ": brightness of the shadowed place",
     frame.Brightness(origin[0] + shadow.x, origin[1] + shadow.y),
@@ -256,7 +259,9 @@ TEST_F(Composition, ViewportInTheMiddle)
   this->CheckCombination("viewport");
 }
 
-// --- Other passes ----------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Other passes.
+
 // Without shadows but under the same passes, the frame is the one to compare with.
 TEST_F(Composition, UnderSSAA)
 {
@@ -325,8 +330,8 @@ TEST_F(Composition, MasksFitWhateverThePassesSize)
     const Frame byMap = this->Render();
     this->Shadows->SetTechnique("ray-cast");
     const Frame byRay = this->Render();
-    CheckAtMost(std::string(under ? "under" : "over") +
-        " SSAA: ray cast unlike depth map, % of the window",
+    CheckAtMost(
+      std::string(under ? "under" : "over") + " SSAA: ray cast unlike depth map, % of the window",
       100.0 * CountDifferent(byMap, byRay, 60) / (byMap.rgb.size() / 3), 0.1);
   }
 }
@@ -363,7 +368,8 @@ TEST_F(Composition, TechniquePassOfAShadowPass)
   this->CheckSamples("owner", this->Render(), plain, this->Renderer);
 }
 
-// --- Several renderers -----------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Several renderers.
 TEST_F(Composition, TwoViewports)
 {
   vtkNew<vtkRenderer> right;
@@ -442,7 +448,8 @@ TEST_F(Composition, Layers)
   above->SetPass(nullptr);
 }
 
-// --- Selection, sizes, screenshots -----------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Selection, sizes, screenshots.
 TEST_F(Composition, Selection)
 {
   const auto select = [this]()
@@ -484,14 +491,15 @@ TEST_F(Composition, Resizing)
   for (const std::string technique : { "depth-map", "ray-cast" })
   {
     this->Shadows->SetTechnique(technique);
-    for (const auto& size : { std::pair<int, int>(400, 300), { 640, 200 }, { 250, 400 }, { 400, 300 } })
+    for (const auto& size :
+      { std::pair<int, int>(400, 300), { 640, 200 }, { 250, 400 }, { 400, 300 } })
     {
       this->Resize(size.first, size.second);
       const Frame frame = this->Render();
       Check("width", frame.width, size.first);
-      this->CheckSamples(technique + ", " + std::to_string(size.first) + " x " +
-          std::to_string(size.second),
-        frame, this->RenderWithoutPass(), this->Renderer);
+      this->CheckSamples(
+        technique + ", " + std::to_string(size.first) + " x " + std::to_string(size.second), frame,
+        this->RenderWithoutPass(), this->Renderer);
       const Visibility visibility = this->VisibilityOf(sun);
       Check("width of the visibility", visibility.width, size.first);
       Check("height of the visibility", visibility.height, size.second);
@@ -549,7 +557,8 @@ TEST_F(Composition, MagnifiedScreenshot)
     this->Render();
     const Frame frame = grab();
     Check(technique + ": width", frame.width, 800);
-    const Pixel lit = PixelOf(this->Renderer, LitPlace), shadow = PixelOf(this->Renderer, ShadowPlace);
+    const Pixel lit = PixelOf(this->Renderer, LitPlace),
+                shadow = PixelOf(this->Renderer, ShadowPlace);
     Check(technique + ": brightness of the lit place", frame.Brightness(2 * lit.x, 2 * lit.y),
       plain.Brightness(2 * lit.x, 2 * lit.y), 3.0);
     CheckAtMost(technique + ": brightness of the shadowed place",
@@ -584,7 +593,8 @@ TEST_F(Composition, Stereo)
     100.0 * CountDifferent(byMap, byRay, 60) / pixels, 0.1);
 }
 
-// --- What the pass must leave alone ------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// What the pass must leave alone.
 namespace
 {
 

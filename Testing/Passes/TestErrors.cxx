@@ -1,5 +1,6 @@
-// A wrong call or an impossible scene gets one message that names the object, the value and the remedy; the
-// frame is still drawn, lit where there is no visibility. What is merely empty gets none.
+// A wrong call or an impossible scene gets one message that names the object, the value and the
+// remedy; the frame is still drawn, lit where there is no visibility. What is merely empty gets
+// none.
 #include "ShadowTest.h"
 
 #include "vtkShadowErrorMeasure.h"
@@ -70,7 +71,8 @@ protected:
 
 }
 
-// --- Wrong calls -----------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Wrong calls.
 TEST_F(Errors, UnknownTechnique)
 {
   this->AddScene();
@@ -181,7 +183,8 @@ TEST_F(Errors, MeasureWithoutAShadowPass)
   ExpectOneMessage({ "vtkShadowErrorMeasure", "vtkShadowPass" });
 }
 
-// --- Resolutions -----------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Resolutions.
 TEST_F(Errors, ResolutionOfNothing)
 {
   this->AddScene();
@@ -210,7 +213,8 @@ TEST_F(Errors, ResolutionAboveTheDrivers)
   const Frame frame = this->Render();
   std::vector<std::string> messages = TakeMessages();
   ASSERT_FALSE(messages.empty());
-  // The driver may have no memory for the largest map there is: a second message, and everything is lit.
+  // The driver may have no memory for the largest map there is: a second message, and everything is
+  // lit.
   EXPECT_NE(messages[0].find(std::to_string(limit + 1)), std::string::npos) << messages[0];
   EXPECT_NE(messages[0].find(std::to_string(limit)), std::string::npos) << messages[0];
   EXPECT_NE(messages[0].find("vtkDepthShadowMapPass"), std::string::npos) << messages[0];
@@ -231,7 +235,8 @@ TEST_F(Errors, ResolutionAboveTheDrivers)
   this->CheckShadowed("back to 512", this->Render());
 }
 
-// --- Scenes that cannot be served ------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Scenes that cannot be served.
 TEST_F(Errors, PointLightAmidItsCasters)
 {
   this->AddScene();
@@ -304,7 +309,8 @@ TEST_F(Errors, LinesByRayCast)
   Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
 }
 
-// --- Scenes that are merely empty --------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Scenes that are merely empty.
 TEST_F(Errors, EmptyScenes)
 {
   for (const std::string technique : { "depth-map", "ray-cast", "none" })
@@ -342,12 +348,14 @@ TEST_F(Errors, NoCastersAndNoReceivers)
     this->SetKeys(false, true);
     this->CheckLit("no casters, " + technique, this->Render());
     Check("casters", this->Shadows->GetScene()->GetNumberOfCasters(), 0.0);
-    Check("shadow pixels", static_cast<double>(this->VisibilityOf(this->Light).CountShadowed()), 0.0);
+    Check(
+      "shadow pixels", static_cast<double>(this->VisibilityOf(this->Light).CountShadowed()), 0.0);
 
     this->SetKeys(true, false);
     this->CheckLit("no receivers, " + technique, this->Render());
     Check("receivers", this->Shadows->GetScene()->GetNumberOfReceivers(), 0.0);
-    Check("shadow pixels", static_cast<double>(this->VisibilityOf(this->Light).CountShadowed()), 0.0);
+    Check(
+      "shadow pixels", static_cast<double>(this->VisibilityOf(this->Light).CountShadowed()), 0.0);
   }
 }
 
@@ -412,7 +420,8 @@ TEST_F(Errors, DegenerateLightsAndMatrices)
   CheckAtMost("messages", static_cast<double>(TakeMessages().size()), 2.0);
 }
 
-// --- Life ------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Life.
 TEST_F(Errors, PassesComeAndGo)
 {
   this->AddScene();

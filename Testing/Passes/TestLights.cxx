@@ -4,6 +4,7 @@
 
 #include "vtkShadowScene.h"
 
+#include <vtkActorCollection.h>
 #include <vtkProperty.h>
 #include <vtkTransform.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <map>
 
 using namespace shadowtest;
@@ -418,6 +420,63 @@ TEST_F(Lights, StrengthsOfTwoLights)
   }
   EXPECT_GT(asked, 3000u);
   Check("wrong components", static_cast<double>(wrong), 0.0);
+}
+
+// However the props themselves are shaded.
+TEST_F(Lights, ShadingModels)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Lamps lamps = { AddSun(this->Renderer, { 1.0, 0.7, -1.2 }),
+    AddSpot(this->Renderer, { 2.5, -2.0, 5.0 }, { 0.0, 0.0, 0.5 }, 40.0) };
+  const std::pair<std::string, std::function<void(vtkProperty*)>> models[] = {
+    { "flat", [](vtkProperty* p) { p->SetInterpolationToFlat(); } },
+    { "Gouraud", [](vtkProperty* p) { p->SetInterpolationToGouraud(); } },
+    { "PBR", [](vtkProperty* p) { p->SetInterpolationToPBR(); } },
+    { "edges", [](vtkProperty* p) { p->EdgeVisibilityOn(); } },
+    { "front faces culled", [](vtkProperty* p) { p->FrontfaceCullingOn(); } },
+  };
+  for (const auto& model : models)
+  {
+    vtkActorCollection* actors = this->Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      vtkNew<vtkProperty> property;
+      property->SetColor(0.7, 0.6, 0.5);
+      model.second(property);
+      // The floor has but one face.
+      actor->SetProperty(actor->GetZRange()[1] > 0.0 ? property.Get() : actor->GetProperty());
+    }
+    for (const std::string technique : { "depth-map", "ray-cast" })
+    {
+      this->Shadows->SetTechnique(technique);
+      this->CheckColours(model.first + ", " + technique, lamps);
+    }
+  }
+}
+
+// A prop without lighting has no light to take away, and casts all the same.
+TEST_F(Lights, UnlitProps)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto sun = AddSun(this->Renderer, { 1.0, 0.7, -1.2 });
+  auto unlit = AddSphere(this->Renderer, { -0.2, -1.6, 0.8 }, 0.4);
+  unlit->GetProperty()->SetColor(0.2, 0.9, 0.4);
+  unlit->GetProperty()->LightingOff();
+  const Frame plain = this->RenderWithoutPass();
+  for (const std::string technique : { "depth-map", "ray-cast" })
+  {
+    this->Shadows->SetTechnique(technique);
+    const Frame frame = this->Render();
+    const Pixel p = PixelOf(this->Renderer, { -0.2, -1.9, 0.9 });
+    Check(technique + ": brightness of the unlit prop", frame.Brightness(p.x, p.y),
+      plain.Brightness(p.x, p.y));
+    const Visibility with = this->VisibilityOf(sun);
+    unlit->VisibilityOff();
+    CheckAtLeast(technique + ": pixels that it shadows",
+      static_cast<double>(CountDifferent(with, this->VisibilityBy(technique, sun))), 500.0);
+    unlit->VisibilityOn();
+  }
 }
 
 TEST_F(Lights, MixedTechniques)

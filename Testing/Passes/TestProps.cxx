@@ -38,6 +38,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 using namespace shadowtest;
 
@@ -123,8 +124,8 @@ vtkSmartPointer<vtkActor> ActorOf(const Mesh& mesh)
   return ActorWith(mapper);
 }
 
-// --- Places of glyphs and spheres: over the floor, with direction, size and kind
-// ------------------------
+//------------------------------------------------------------------------------
+// Places of glyphs and spheres: over the floor, with direction, size and kind.
 Mesh Places(int count)
 {
   Mesh places = Mesh::New();
@@ -481,8 +482,8 @@ TEST_F(Props, UnstructuredGrid)
   this->CheckProp(ActorWith(mapper), baked);
 }
 
-// --- Composite data
-// --------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Composite data.
 namespace
 {
 
@@ -548,8 +549,8 @@ TEST_F(Props, CompositePolyDataWithAnInvisibleBranch)
   this->CheckProp(ActorWith(mapper), Joined({ blocks.cone, blocks.brick }));
 }
 
-// --- Glyphs
-// ----------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// Glyphs.
 TEST_F(Props, GlyphsScaledAndOriented)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
@@ -704,8 +705,8 @@ TEST_F(Props, GlyphsInBlocks)
   this->CheckGlyphs(mapper, Glyphs(places, Thing(), 1.0, true));
 }
 
-// --- Sphere impostors: their triangles are within 0.02 % of the round shape
-// ----------------------------
+//------------------------------------------------------------------------------
+// Sphere impostors: their triangles are within 0.02 % of the round shape.
 namespace
 {
 
@@ -760,9 +761,48 @@ TEST_F(Props, SphereImpostorsMovedByTheirActor)
   this->CheckProp(actor, Moved(Balls(places, [](vtkIdType) { return 0.3; }), place), 0.1);
 }
 
-// --- Keys
-// ------------------------------------------------------------------------------------------ A
-// translucent prop casts if told to, as if opaque.
+//------------------------------------------------------------------------------
+// What only a depth map sees: lines and points, as wide as they are drawn, in texels. So a coarse
+// map shows them.
+TEST_F(Props, LinesAndPointsCastByDepthMap)
+{
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(256);
+  const Visibility without = this->VisibilityBy("depth-map", this->Light);
+  const std::pair<std::string, std::function<void(vtkProperty*)>> looks[] = {
+    { "wireframe", [](vtkProperty* p) { p->SetRepresentationToWireframe(); } },
+    { "points", [](vtkProperty* p) { p->SetRepresentationToPoints(); } },
+    { "lines as tubes",
+      [](vtkProperty* p)
+      {
+        p->SetRepresentationToWireframe();
+        p->RenderLinesAsTubesOn();
+      } },
+    { "points as spheres",
+      [](vtkProperty* p)
+      {
+        p->SetRepresentationToPoints();
+        p->RenderPointsAsSpheresOn();
+      } },
+  };
+  for (const auto& look : looks)
+  {
+    auto actor = ActorOf(Ball({ 0.0, 0.0, 1.2 }, 0.7));
+    actor->GetProperty()->SetLineWidth(4.0f);
+    actor->GetProperty()->SetPointSize(6.0f);
+    look.second(actor->GetProperty());
+    vtkShadowPass::SetReceivesShadows(actor, false);
+    this->Renderer->AddActor(actor);
+    CheckAtLeast(look.first + ": pixels that they shadow",
+      static_cast<double>(CountDifferent(without, this->VisibilityBy("depth-map", this->Light))),
+      300.0);
+    this->Renderer->RemoveActor(actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Keys.
+
+// A translucent prop casts if told to, as if opaque.
 TEST_F(Props, TranslucentCasterIfTold)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
