@@ -2,6 +2,7 @@
 
 #include "vtkShadowCasterCamera.h"
 #include "vtkShadowOpenGL.h"
+#include "vtkShadowPass.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTechniquePass.h"
 #include "vtkShadowTextureArray.h"
@@ -11,6 +12,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -521,8 +523,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     return true;
   }
 
-  const auto known = this->Receives.find(prop);
-  const bool receives = known == this->Receives.end() || known->second;
+  const bool receives = this->IsReceiver(prop);
   if (this->CurrentStage == POSITIONS)
   {
     program->SetUniformf("shadowIsReceiver", receives ? 1.0f : 0.0f);
@@ -552,6 +553,20 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   }
   this->SetMaskParameters(program, prop, receives);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowedShadingPass::IsReceiver(vtkProp* prop) const
+{
+  const auto known = this->Receives.find(prop);
+  if (known != this->Receives.end())
+  {
+    return known->second;
+  }
+  // A copy that a mapper made of its actor for a block: it has the actor's keys.
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return !keys || !keys->Has(vtkShadowPass::RECEIVES_SHADOWS()) ||
+    keys->Get(vtkShadowPass::RECEIVES_SHADOWS()) != 0;
 }
 
 //------------------------------------------------------------------------------

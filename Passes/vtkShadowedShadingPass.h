@@ -115,6 +115,7 @@ private:
   void SetMaskParameters(vtkShaderProgram* program, vtkProp* prop, bool receives);
   void AttachTo(vtkProp* prop, bool receives);
   void SetStage(Stage stage);
+  bool IsReceiver(vtkProp* prop) const;
 
   std::vector<LightPlan> Plan;
   std::string PlanShape; // what of the plan the shader's text depends on
