@@ -40,10 +40,7 @@ struct Rectangle
     this->high = glm::min(this->high, other.high);
   }
   bool IsEmpty() const { return !(this->low.x <= this->high.x && this->low.y <= this->high.y); }
-  double Area() const
-  {
-    return (this->high.x - this->low.x) * (this->high.y - this->low.y);
-  }
+  double Area() const { return (this->high.x - this->low.x) * (this->high.y - this->low.y); }
 };
 
 // A frame whose z axis points against `forward`; rows of the rotation are its axes.
@@ -94,7 +91,8 @@ double Cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b)
 // Andrew's monotone chain (Andrew 1979); counter-clockwise, without collinear points.
 std::vector<glm::dvec2> ConvexHull(std::vector<glm::dvec2> points)
 {
-  std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b)
+  std::sort(points.begin(), points.end(),
+    [](const glm::dvec2& a, const glm::dvec2& b)
     { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<glm::dvec2> hull;
   for (int pass = 0; pass < 2; ++pass)
@@ -144,13 +142,14 @@ glm::dvec2 LeastAreaAxis(const std::vector<glm::dvec2>& points)
   return best;
 }
 
-// Sides of the map: `margin` of the longer one beyond the rectangle on every side, and never of width zero.
+// Sides of the map: `margin` of the longer one beyond the rectangle on every side, and never of
+// width zero.
 Rectangle WithMargin(const Rectangle& box, double margin)
 {
   const glm::dvec2 centre = 0.5 * (box.low + box.high);
   glm::dvec2 half = 0.5 * (box.high - box.low);
-  const double thinnest = std::max(
-    std::max(half.x, half.y) / 1024.0, std::numeric_limits<double>::epsilon() * 16.0 *
+  const double thinnest = std::max(std::max(half.x, half.y) / 1024.0,
+    std::numeric_limits<double>::epsilon() * 16.0 *
       std::max({ std::abs(centre.x), std::abs(centre.y), std::numeric_limits<double>::min() }));
   half = glm::max(half, glm::dvec2(thinnest));
   half += 2.0 * margin / (1.0 - 2.0 * margin) * std::max(half.x, half.y);
@@ -206,13 +205,13 @@ LightViewResult FitDirectional(const ShadowLight& light, const std::vector<BoxCo
   const glm::dvec2 middle = 0.5 * (box.low + box.high);
   const double size = std::max(half.x, half.y);
   const double slack = size / 1024.0; // so that a flat caster has a depth range, too
-  const glm::dvec3 eyeWC = centreWC + middle.x * frame.x + middle.y * frame.y -
-    (nearDepth - slack) * frame.z;
+  const glm::dvec3 eyeWC =
+    centreWC + middle.x * frame.x + middle.y * frame.y - (nearDepth - slack) * frame.z;
   result.fit = LightViewFit::Fitted;
   result.view.parallel = true;
   result.view.viewFromWorld = frame.ViewFromWorld(eyeWC);
-  result.view.clipFromView = glm::ortho(
-    -half.x, half.x, -half.y, half.y, 0.0, farDepth - nearDepth + 2.0 * slack);
+  result.view.clipFromView =
+    glm::ortho(-half.x, half.x, -half.y, half.y, 0.0, farDepth - nearDepth + 2.0 * slack);
   return result;
 }
 

@@ -26,9 +26,9 @@ struct LightView
 
 enum class LightViewFit
 {
-  Fitted,  // `view` covers every caster that can shadow a receiver
-  Empty,   // no caster can shadow a receiver: the light needs no map
-  Refused  // one view cannot hold this light; `reason` says why
+  Fitted, // `view` covers every caster that can shadow a receiver
+  Empty,  // no caster can shadow a receiver: the light needs no map
+  Refused // one view cannot hold this light; `reason` says why
 };
 
 struct LightViewResult

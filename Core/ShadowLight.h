@@ -20,7 +20,7 @@ struct ShadowLight
   glm::dvec3 position{ 0.0, 0.0, 0.0 };   // world
   glm::dvec3 direction{ 0.0, 0.0, -1.0 }; // world, unit, the way the light travels
   double coneAngle = 30.0; // degrees between the axis and the cone's side, below 90; as vtkLight's
-  double radius = 0.0;     // of the luminous disc (directional: tangent of its half-angle), world units
+  double radius = 0.0; // of the luminous disc (directional: tangent of its half-angle), world units
 
   // Unit vector from a world point toward the light's centre.
   glm::dvec3 TowardLight(const glm::dvec3& pointWC) const;

@@ -14,9 +14,9 @@ namespace vtkshadows
 enum class PixelRole : std::uint8_t
 {
   Background = 0, // no receiver is seen there
-  Grazing = 1,    // a receiver that the light does not reach: its face turns from it, or nearly so (N.L at
-                  // most 0.02), or it lies outside a spot's cone
-  Uncertain = 2,  // its truth hangs on the ray epsilon
+  Grazing = 1,    // a receiver that the light does not reach: its face turns from it, or nearly so
+               // (N.L at most 0.02), or it lies outside a spot's cone
+  Uncertain = 2, // its truth hangs on the ray epsilon
   Measured = 3
 };
 
@@ -32,10 +32,10 @@ struct VisibilityImages
 
 struct VisibilityError
 {
-  std::size_t receiverPixels = 0;  // Measured
-  std::size_t uncertainPixels = 0; // Uncertain
-  std::size_t shadowPixels = 0;    // Measured, truth at most 0.5
-  std::size_t mismatchPixels = 0;  // Measured, |visibility - truth| above 0.5
+  std::size_t receiverPixels = 0;    // Measured
+  std::size_t uncertainPixels = 0;   // Uncertain
+  std::size_t shadowPixels = 0;      // Measured, truth at most 0.5
+  std::size_t mismatchPixels = 0;    // Measured, |visibility - truth| above 0.5
   std::size_t grossFalsePixels = 0;  // mismatched far from any true edge: shadow where it is lit
   std::size_t grossMissedPixels = 0; // ... lit where it is shadow
   double sumAbsoluteDifference = 0.0;

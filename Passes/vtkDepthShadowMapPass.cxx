@@ -33,8 +33,8 @@ using vtkshadows::ShadowLight;
 // Texels left free on each side of a map, so that the four around any receiver lie in it.
 constexpr double MarginTexels = 2.0;
 
-// A layer is a few columns wider than its map where the driver lets it: rows of a power of two would fall on
-// the same few lines of a processor's cache.
+// A layer is a few columns wider than its map where the driver lets it: rows of a power of two
+// would fall on the same few lines of a processor's cache.
 constexpr int PaddingTexels = 16;
 
 constexpr double RiseTexels = 0.5;
@@ -51,8 +51,8 @@ int LayerWidth(int resolution)
   return std::min(resolution + PaddingTexels, TextureLimit());
 }
 
-// Whether the flat piece has every receiver on the light's side of its plane, or on it: then nothing can
-// lie in its shadow.
+// Whether the flat piece has every receiver on the light's side of its plane, or on it: then
+// nothing can lie in its shadow.
 bool CastsOnNothing(const vtkShadowScene::Piece& piece, const ShadowLight& light,
   const std::vector<BoxCorners>& receivers)
 {
@@ -98,11 +98,12 @@ ShaderMatrix ToShader(const glm::dmat4& m)
 const ShaderMatrix LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 1 };
 
 // From the eye's view coordinates to a map of width x height texels, all in double; the eye's view
-// coordinates are what floats get. Depth is less by a bound of its rounding on the casters, on which a
-// rounding could show as acne: a depth is a sum of terms, each rounded, that may be far larger than itself
-// (an eye far from a small scene). In a perspective map w has its share, by the largest depth, 1.
-glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width, int height,
-  const std::vector<BoxCorners>& castersWC)
+// coordinates are what floats get. Depth is less by a bound of its rounding on the casters, on
+// which a rounding could show as acne: a depth is a sum of terms, each rounded, that may be far
+// larger than itself (an eye far from a small scene). In a perspective map w has its share, by the
+// largest depth, 1.
+glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width,
+  int height, const std::vector<BoxCorners>& castersWC)
 {
   const glm::dvec3 half(0.5 * width, 0.5 * height, 0.5);
   const glm::dmat4 mapFromClip = glm::scale(glm::translate(glm::dmat4(1.0), half), half);
@@ -123,8 +124,9 @@ glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, i
   const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
   map[3][2] -= std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24);
 
-  // A share of a texel's own width, as depth: beside the receiver's triangle the surface may rise out of its
-  // plane. In a perspective map both the width and the depth's step go with w, so that it is a constant here, too.
+  // A share of a texel's own width, as depth: beside the receiver's triangle the surface may rise
+  // out of its plane. In a perspective map both the width and the depth's step go with w, so that
+  // it is a constant here, too.
   const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
   map[3][2] -= RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
   return map;
@@ -159,7 +161,7 @@ class vtkDepthShadowMapPass::Internals
 {
 public:
   vtkShadowTextureArray Maps;
-  std::vector<MapState> States;  // one a slot
+  std::vector<MapState> States;       // one a slot
   std::vector<ShaderMatrix> Matrices; // one a slot
   int UsedResolution = 0;
   int RefusedResolution = 0;
@@ -178,7 +180,8 @@ void vtkDepthShadowMapPass::SetResolution(int resolution)
 {
   if (resolution < 1)
   {
-    vtkErrorMacro("Resolution " << resolution << " is no size of a map: give 1 or more texels. It stays "
+    vtkErrorMacro("Resolution " << resolution
+                                << " is no size of a map: give 1 or more texels. It stays "
                                 << this->Resolution << ".");
     return;
   }
@@ -200,8 +203,8 @@ int vtkDepthShadowMapPass::ResolutionOfDriver() const
   if (this->Internal->RefusedResolution != this->Resolution)
   {
     this->Internal->RefusedResolution = this->Resolution;
-    vtkErrorMacro("Resolution " << this->Resolution << " is above this OpenGL driver's limit of " << limit
-                                << " texels, which is used instead. Set it to " << limit
+    vtkErrorMacro("Resolution " << this->Resolution << " is above this OpenGL driver's limit of "
+                                << limit << " texels, which is used instead. Set it to " << limit
                                 << " or less.");
   }
   return limit;
@@ -316,7 +319,8 @@ std::string vtkDepthShadowMapPass::GetLookupDeclarations() const
 {
   const int side = this->ResolutionOfDriver();
   return "#define SHADOW_DEPTH_MAP_WIDTH " + std::to_string(LayerWidth(side)) +
-    "\n#define SHADOW_DEPTH_MAP_HEIGHT " + std::to_string(side) + "\n" + vtkDepthShadowMapPassLookup;
+    "\n#define SHADOW_DEPTH_MAP_HEIGHT " + std::to_string(side) + "\n" +
+    vtkDepthShadowMapPassLookup;
 }
 
 std::string vtkDepthShadowMapPass::GetLookupFunction(const vtkshadows::ShadowLight& light) const

@@ -2,23 +2,23 @@
  * @class   vtkDepthShadowMapPass
  * @brief   visibility by a depth map, compared with the receiver's own plane
  *
- * Technique "depth-map", form lookup: casters are drawn from the light into a map of depths; while a
- * receiver is shaded, its position is compared with the four texels around it and the four answers
- * are blended (2x2 percentage-closer filtering). One view a light: directional and spot lights, and
- * a point light that stands outside its casters.
+ * Technique "depth-map", form lookup: casters are drawn from the light into a map of depths; while
+ * a receiver is shaded, its position is compared with the four texels around it and the four
+ * answers are blended (2x2 percentage-closer filtering). One view a light: directional and spot
+ * lights, and a point light that stands outside its casters.
  *
- * The map is fitted in double to the casters that can shadow a receiver. Flat casters that have every
- * receiver on their lit side (the floor under a scene) are left out of it. It is drawn again only if
- * the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
+ * The map is fitted in double to the casters that can shadow a receiver. Flat casters that have
+ * every receiver on their lit side (the floor under a scene) are left out of it. It is drawn again
+ * only if the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
  *
  * Bias is automatic: each texel's depth is compared at that texel's centre on the receiver's own
- * plane there, with a slack of half a texel, along the plane's slope and in depth, plus the rounding bound
- * of the position and of the map. Where the four texels are of one curved surface, what is not behind it
- * is lit. There is no constant to tune.
+ * plane there, with a slack of half a texel, along the plane's slope and in depth, plus the
+ * rounding bound of the position and of the map. Where the four texels are of one curved surface,
+ * what is not behind it is lit. There is no constant to tune.
  *
  * Limits: an edge is as sharp as the map's texels; a contact shadow thinner than half a texel
- * of slope is lost. Embossed detail below a texel is not seen. Lines and points cast as wide as they
- * are drawn, in texels.
+ * of slope is lost. Embossed detail below a texel is not seen. Lines and points cast as wide as
+ * they are drawn, in texels.
  *
  * @par Reference
  * Williams 1978 (depth maps); Reeves, Salesin and Cook: Rendering antialiased shadows with depth
@@ -43,9 +43,9 @@ public:
 
   ///@{
   /**
-   * Texels on the longer side of each map, 1 or more (default 2048); the shorter side has as many as its
-   * length asks for, so that texels are square. Above the driver's limit: an error at the next frame that
-   * names the limit, which is then used.
+   * Texels on the longer side of each map, 1 or more (default 2048); the shorter side has as many
+   * as its length asks for, so that texels are square. Above the driver's limit: an error at the
+   * next frame that names the limit, which is then used.
    */
   void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);

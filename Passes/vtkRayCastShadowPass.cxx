@@ -83,8 +83,8 @@ public:
   {
   }
 
-  // Where rays start: off the face, toward the eye, by `epsilonScale` times the rounding bound of what was
-  // done in floats (the eye's position of it, this, the tree's vertices).
+  // Where rays start: off the face, toward the eye, by `epsilonScale` times the rounding bound of
+  // what was done in floats (the eye's position of it, this, the tree's vertices).
   void SetOrigins(ReceiverLanes& lanes, float epsilonScale) const
   {
     constexpr float RoundingUnit = 1.0f / (1 << 22);
@@ -317,8 +317,7 @@ void vtkRayCastShadowPass::Internals::AddTriangles(const vtkShadowCasterGeometry
     sizeof(glm::vec3), geometry.Vertices.size());
   void* triangles = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
     sizeof(glm::uvec3), geometry.Triangles.size());
-  std::copy(
-    geometry.Vertices.begin(), geometry.Vertices.end(), static_cast<glm::vec3*>(vertices));
+  std::copy(geometry.Vertices.begin(), geometry.Vertices.end(), static_cast<glm::vec3*>(vertices));
   std::copy(
     geometry.Triangles.begin(), geometry.Triangles.end(), static_cast<glm::uvec3*>(triangles));
   rtcCommitGeometry(mesh);
@@ -399,8 +398,9 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
       }
     }
     this->WarnOnce(prop.Source,
-      skipped.empty() ? std::string()
-                      : std::string("The caster ") + prop.Source->GetClassName() + " has " + skipped +
+      skipped.empty()
+        ? std::string()
+        : std::string("The caster ") + prop.Source->GetClassName() + " has " + skipped +
           ": rays see none of that. Use \"depth-map\", or give it a surface (vtkTubeFilter, "
           "vtkGlyph3DMapper).");
   }
@@ -426,8 +426,8 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
 
   glm::dvec3 centreWC(glm::inverse(my.TraceFromWorld)[3]);
   std::vector<TraceLight> samples;
-  for (const vtkshadows::ShadowLight& sample : vtkshadows::SampleAreaLight(
-         light, light.radius > 0.0 ? this->LightSamples : 1, centreWC))
+  for (const vtkshadows::ShadowLight& sample :
+    vtkshadows::SampleAreaLight(light, light.radius > 0.0 ? this->LightSamples : 1, centreWC))
   {
     samples.push_back(my.LightOf(sample));
   }

@@ -2,19 +2,19 @@
  * @class   vtkRayCastShadowPass
  * @brief   visibility by a ray from each pixel's receiver to the light: the truth
  *
- * Technique "ray-cast", form mask, on Embree and all cores. The receivers' positions are drawn once into a
- * buffer of floats, read back, and a ray goes from each toward each light. It is the reference that
- * other techniques are held against, and itself selectable.
+ * Technique "ray-cast", form mask, on Embree and all cores. The receivers' positions are drawn once
+ * into a buffer of floats, read back, and a ray goes from each toward each light. It is the
+ * reference that other techniques are held against, and itself selectable.
  *
  * Casters are triangles (polydata, composite blocks, glyph instances, in any assembly) and spheres
- * (vtkOpenGLSphereMapper), traced relative to the casters' centre. Each casts whichever way it faces.
- * Lines, points, sticks (vtkOpenGLStickMapper) and point Gaussians have no surface to hit: they cast
- * nothing here, with one warning.
+ * (vtkOpenGLSphereMapper), traced relative to the casters' centre. Each casts whichever way it
+ * faces. Lines, points, sticks (vtkOpenGLStickMapper) and point Gaussians have no surface to hit:
+ * they cast nothing here, with one warning.
  *
  * A mapper's clipping planes cut its triangles; transparent texels of a texture still cast.
  *
- * A ray starts off the surface by `EpsilonScale` times the rounding bound of its position (float in the
- * eye's frame, float in the scene's), along the face's normal.
+ * A ray starts off the surface by `EpsilonScale` times the rounding bound of its position (float in
+ * the eye's frame, float in the scene's), along the face's normal.
  *
  * Lights with a radius are the mean over LightSamples sample lights.
  *
@@ -41,7 +41,8 @@ public:
 
   ///@{
   /**
-   * Sample lights of a light with a radius, 1 to 4096 (default 64). A light without one takes one ray.
+   * Sample lights of a light with a radius, 1 to 4096 (default 64). A light without one takes one
+   * ray.
    */
   vtkSetClampMacro(LightSamples, int, 1, 4096);
   vtkGetMacro(LightSamples, int);
@@ -57,7 +58,8 @@ public:
 
   ///@{
   /**
-   * Of the last frame: rays traced, seconds spent tracing them, triangles and spheres in the tree; and how often the tree was built since this pass was made.
+   * Of the last frame: rays traced, seconds spent tracing them, triangles and spheres in the tree;
+   * and how often the tree was built since this pass was made.
    */
   vtkGetMacro(NumberOfRays, vtkIdType);
   vtkGetMacro(TraceSeconds, double);
@@ -84,15 +86,15 @@ protected:
   bool UpdateTree(const vtkShadowFrame& frame);
 
   /**
-   * Trace the pixels of `receivers` toward `light`: visibility gets one float a pixel, row by row from
-   * the bottom, 1 where there is no receiver.
+   * Trace the pixels of `receivers` toward `light`: visibility gets one float a pixel, row by row
+   * from the bottom, 1 where there is no receiver.
    */
   bool TraceVisibility(const vtkShadowFrame& frame, const vtkShadowReceiverBuffer& receivers,
     const vtkshadows::ShadowLight& light, double epsilonScale, std::vector<float>& visibility);
 
   /**
-   * Seconds that a bare loop of rtcOccluded1 over all cores takes for one frame's rays of hard lights: the
-   * limit to hold TraceSeconds against. 0 if there is no tree.
+   * Seconds that a bare loop of rtcOccluded1 over all cores takes for one frame's rays of hard
+   * lights: the limit to hold TraceSeconds against. 0 if there is no tree.
    */
   double TimeBareTracing(const vtkShadowFrame& frame);
 

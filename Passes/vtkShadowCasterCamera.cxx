@@ -14,8 +14,7 @@ void vtkShadowCasterCamera::SetView(const vtkshadows::LightView& view)
 {
   vtkShadowMatrix::ToVtk(glm::transpose(view.viewFromWorld), this->WCVCMatrix);
   vtkShadowMatrix::ToVtk(glm::transpose(view.clipFromView), this->VCDCMatrix);
-  vtkShadowMatrix::ToVtk(
-    glm::transpose(view.clipFromView * view.viewFromWorld), this->WCDCMatrix);
+  vtkShadowMatrix::ToVtk(glm::transpose(view.clipFromView * view.viewFromWorld), this->WCDCMatrix);
   const glm::dmat4 worldFromView = glm::inverse(view.viewFromWorld);
   for (int row = 0; row < 3; ++row)
   {

@@ -194,8 +194,8 @@ void AppendTree(Geometry& out, vtkDataObject* data, vtkCompositeDataDisplayAttri
   }
 }
 
-// What lies on the cut-off side of a mapper's clipping plane (n.x < d) does not cast: triangles are cut by it
-// (Sutherland and Hodgman 1974).
+// What lies on the cut-off side of a mapper's clipping plane (n.x < d) does not cast: triangles are
+// cut by it (Sutherland and Hodgman 1974).
 void ClipBy(Geometry& out, const glm::dvec4& plane)
 {
   const auto height = [&plane](const glm::vec3& v)
@@ -217,8 +217,8 @@ void ClipBy(Geometry& out, const glm::dvec4& plane)
       if ((fromHeight >= 0.0) != (toHeight >= 0.0))
       {
         corners[count++] = static_cast<unsigned int>(out.Vertices.size());
-        out.Vertices.emplace_back(glm::mix(
-          glm::dvec3(from), glm::dvec3(to), fromHeight / (fromHeight - toHeight)));
+        out.Vertices.emplace_back(
+          glm::mix(glm::dvec3(from), glm::dvec3(to), fromHeight / (fromHeight - toHeight)));
       }
     }
     for (int i = 1; i + 1 < count; ++i)
@@ -297,10 +297,9 @@ public:
 
   int SourceOf(vtkIdType i, int sources) const
   {
-    const int index = this->Index
-      ? static_cast<int>(
-          vtkMath::Norm(this->Index->GetTuple(i), this->Index->GetNumberOfComponents()))
-      : 0;
+    const int index = this->Index ? static_cast<int>(vtkMath::Norm(this->Index->GetTuple(i),
+                                      this->Index->GetNumberOfComponents()))
+                                  : 0;
     return vtkMath::ClampValue(index, 0, std::max(sources - 1, 0));
   }
 
@@ -328,8 +327,8 @@ private:
     const int mode = this->Mapper->GetScaleMode();
     if (this->Scale && mode == vtkGlyph3DMapper::SCALE_BY_MAGNITUDE)
     {
-      scale = glm::dvec3(
-        vtkMath::Norm(this->Scale->GetTuple(i), this->Scale->GetNumberOfComponents()));
+      scale =
+        glm::dvec3(vtkMath::Norm(this->Scale->GetTuple(i), this->Scale->GetNumberOfComponents()));
     }
     else if (this->Scale && mode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS &&
       this->Scale->GetNumberOfComponents() == 3)

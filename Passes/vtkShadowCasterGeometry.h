@@ -1,5 +1,5 @@
-// The surface of a caster as triangles and spheres, from VTK's mappers: what rays (and, later, silhouettes)
-// need and rasterised techniques do not.
+// The surface of a caster as triangles and spheres, from VTK's mappers: what rays (and, later,
+// silhouettes) need and rasterised techniques do not.
 #ifndef vtkShadowCasterGeometry_h
 #define vtkShadowCasterGeometry_h
 
@@ -18,8 +18,9 @@ struct vtkShadowCasterGeometry
   std::vector<glm::vec4> Spheres;    // centre, radius
   std::string Skipped;               // what of the piece has no surface here; empty: nothing
 
-  // Bounds, in model coordinates, of what `mapper` draws, its pipeline brought up to date; false if it draws
-  // nothing. Impostor mappers themselves give the bounds of their centres, and only of those in cells.
+  // Bounds, in model coordinates, of what `mapper` draws, its pipeline brought up to date; false if
+  // it draws nothing. Impostor mappers themselves give the bounds of their centres, and only of
+  // those in cells.
   static bool BoundsOf(vtkMapper* mapper, double bounds[6]);
 
   // Extract `piece`, in the space of `traceFromWorld` (so that floats are relative to the scene).

@@ -1,5 +1,5 @@
-// Drawing into layers of texture arrays: a framebuffer of its own, the viewport and the state that a
-// depth-tested draw wants, and everything as it was at the end of the scope.
+// Drawing into layers of texture arrays: a framebuffer of its own, the viewport and the state that
+// a depth-tested draw wants, and everything as it was at the end of the scope.
 #ifndef vtkShadowDrawScope_h
 #define vtkShadowDrawScope_h
 
@@ -12,8 +12,8 @@ class vtkShadowDrawScope
 {
 public:
   // `colour` may be nullptr: depth alone. Both have the same size.
-  vtkShadowDrawScope(vtkOpenGLRenderWindow* window, const vtkShadowTextureArray& depth, int depthLayer,
-    const vtkShadowTextureArray* colour = nullptr, int colourLayer = 0);
+  vtkShadowDrawScope(vtkOpenGLRenderWindow* window, const vtkShadowTextureArray& depth,
+    int depthLayer, const vtkShadowTextureArray* colour = nullptr, int colourLayer = 0);
   ~vtkShadowDrawScope();
   vtkShadowDrawScope(const vtkShadowDrawScope&) = delete;
   void operator=(const vtkShadowDrawScope&) = delete;
@@ -21,7 +21,8 @@ public:
   // false: the driver cannot draw into this; nothing must be drawn.
   bool IsComplete() const { return this->Complete; }
 
-  // Map clip space to the lower left width x height texels, and leave the outer `border` of them alone.
+  // Map clip space to the lower left width x height texels, and leave the outer `border` of them
+  // alone.
   void Confine(int width, int height, int border);
 
   // Depth to 1, colour to rgba.

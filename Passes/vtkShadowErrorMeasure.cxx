@@ -38,8 +38,8 @@ const unsigned char* ColourOf(vtkshadows::PixelVerdict verdict)
   return colours[static_cast<int>(verdict)];
 }
 
-void FillErrorMap(vtkImageData* image, const int size[2],
-  const std::vector<vtkshadows::PixelVerdict>& verdicts)
+void FillErrorMap(
+  vtkImageData* image, const int size[2], const std::vector<vtkshadows::PixelVerdict>& verdicts)
 {
   image->SetDimensions(size[0], size[1], 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -81,8 +81,7 @@ bool vtkShadowErrorMeasure::Measure(vtkRenderer* renderer, vtkLight* light)
   images.truth = measured.Truth.data();
   images.role = measured.Roles.data();
   std::vector<vtkshadows::PixelVerdict> verdicts;
-  const vtkshadows::VisibilityError error =
-    vtkshadows::MeasureVisibility(images, 2.0, &verdicts);
+  const vtkshadows::VisibilityError error = vtkshadows::MeasureVisibility(images, 2.0, &verdicts);
 
   this->ReceiverPixels = static_cast<vtkIdType>(error.receiverPixels);
   this->ShadowPixels = static_cast<vtkIdType>(error.shadowPixels);

@@ -7,13 +7,13 @@
  * error->Measure(renderer, light);
  * error->GetMismatchPercent();
  * @endcode
- * The truth of a pixel is a ray from the receiver's own position there, so that a disagreement about which
- * surface is seen cannot pass for one about shadow. Measured are the receiver pixels whose face looks
- * toward the light (N.L above 0.02), which lie in a spot's cone, and whose truth does not change between a ray epsilon and four times it;
- * the latter are left out and counted.
+ * The truth of a pixel is a ray from the receiver's own position there, so that a disagreement
+ * about which surface is seen cannot pass for one about shadow. Measured are the receiver pixels
+ * whose face looks toward the light (N.L above 0.02), which lie in a spot's cone, and whose truth
+ * does not change between a ray epsilon and four times it; the latter are left out and counted.
  * - **mismatch**: share of pixels whose visibility differs from the truth by more than 0.5;
- * - **gross**: how many of those lie more than 2 px from any true shadow edge: false (acne, bars) and
- *   missed (leaks, detached shadows).
+ * - **gross**: how many of those lie more than 2 px from any true shadow edge: false (acne, bars)
+ * and missed (leaks, detached shadows).
  *
  * Needs Embree: without it Measure is an error.
  *
@@ -38,14 +38,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Measure `light` in the current view of `renderer`, whose pass must be a vtkShadowPass and whose window
-   * must have rendered. The light's own technique is measured. false, with an error, if it cannot be.
+   * Measure `light` in the current view of `renderer`, whose pass must be a vtkShadowPass and whose
+   * window must have rendered. The light's own technique is measured. false, with an error, if it
+   * cannot be.
    */
   bool Measure(vtkRenderer* renderer, vtkLight* light);
 
   ///@{
   /**
-   * Pixels of the last measure. ReceiverPixels are those measured; ShadowPixels those of them in true shadow.
+   * Pixels of the last measure. ReceiverPixels are those measured; ShadowPixels those of them in
+   * true shadow.
    */
   vtkGetMacro(ReceiverPixels, vtkIdType);
   vtkGetMacro(ShadowPixels, vtkIdType);
@@ -67,9 +69,10 @@ public:
 
   ///@{
   /**
-   * Images of the last measure, of the renderer's size, origin bottom-left. Visibility and truth: one
-   * float, 0 to 1, background 1. Error map: RGB bytes: background white, lit light grey, shadow dark grey,
-   * not measured mid grey; false shadow orange, gross red; missed shadow sky blue, gross blue.
+   * Images of the last measure, of the renderer's size, origin bottom-left. Visibility and truth:
+   * one float, 0 to 1, background 1. Error map: RGB bytes: background white, lit light grey, shadow
+   * dark grey, not measured mid grey; false shadow orange, gross red; missed shadow sky blue, gross
+   * blue.
    */
   vtkImageData* GetVisibility();
   vtkImageData* GetTruth();

@@ -1,5 +1,5 @@
-// What vtkShadowPass reads off one light for vtkShadowErrorMeasure, a pixel an entry, row by row from the
-// bottom.
+// What vtkShadowPass reads off one light for vtkShadowErrorMeasure, a pixel an entry, row by row
+// from the bottom.
 #ifndef vtkShadowMeasured_h
 #define vtkShadowMeasured_h
 

@@ -241,7 +241,8 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
 }
 
 //------------------------------------------------------------------------------
-// Everything up to the shading: true if there is anything to shade with, and then End() must follow.
+// Everything up to the shading: true if there is anything to shade with, and then End() must
+// follow.
 bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStrength, bool always)
 {
   this->Receivers.Invalidate();
@@ -323,8 +324,9 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    vtkErrorMacro("The renderer " << renderer << " is in no OpenGL window: nothing is drawn. Add it to a "
-                                                 "vtkRenderWindow made by VTK's OpenGL2 backend.");
+    vtkErrorMacro("The renderer " << renderer
+                                  << " is in no OpenGL window: nothing is drawn. Add it to a "
+                                     "vtkRenderWindow made by VTK's OpenGL2 backend.");
     return;
   }
   this->NumberOfRenderedProps = 0;
@@ -349,8 +351,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   this->UpdateLights(renderer);
 
   // A selection shows ids, not light.
-  const bool shadowed = !renderer->GetSelector() &&
-    this->Internal->Begin(this->Internal->FrameOf(s), true, false);
+  const bool shadowed =
+    !renderer->GetSelector() && this->Internal->Begin(this->Internal->FrameOf(s), true, false);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->Render(s);
@@ -549,14 +551,14 @@ void vtkShadowPass::SetReceivesShadows(vtkProp* prop, bool receives)
 //------------------------------------------------------------------------------
 bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index)
 {
-  auto* window = renderer
-    ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())
-    : nullptr;
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
   if (!window || window->GetNeverRendered())
   {
-    vtkErrorMacro("The renderer " << renderer
-                                  << " has no OpenGL window that has rendered: call Render() on its "
-                                     "window first.");
+    vtkErrorMacro(
+      "The renderer " << renderer
+                      << " has no OpenGL window that has rendered: call Render() on its "
+                         "window first.");
     return false;
   }
   window->MakeCurrent();
@@ -584,8 +586,8 @@ bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkIma
   int index = 0;
   if (!visibility)
   {
-    vtkErrorMacro("GetVisibility(" << renderer << ", " << light
-                                   << ", nullptr): give a vtkImageData to fill.");
+    vtkErrorMacro(
+      "GetVisibility(" << renderer << ", " << light << ", nullptr): give a vtkImageData to fill.");
     return false;
   }
   if (!this->FindLight(renderer, light, index))
@@ -611,8 +613,7 @@ bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkIma
   }
   visibility->SetDimensions(frame.Size[0], frame.Size[1], 1);
   visibility->AllocateScalars(VTK_FLOAT, 1);
-  std::copy(
-    values.begin(), values.end(), static_cast<float*>(visibility->GetScalarPointer()));
+  std::copy(values.begin(), values.end(), static_cast<float*>(visibility->GetScalarPointer()));
   visibility->GetPointData()->GetScalars()->SetName("Visibility");
   visibility->Modified();
   return true;
@@ -711,9 +712,9 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
   my.End();
   if (!done)
   {
-    vtkErrorMacro("Light " << light << " could not be measured: the driver or Embree gave no buffer of "
-                           << frame.Size[0] << " x " << frame.Size[1]
-                           << " pixels. Use a smaller window.");
+    vtkErrorMacro(
+      "Light " << light << " could not be measured: the driver or Embree gave no buffer of "
+               << frame.Size[0] << " x " << frame.Size[1] << " pixels. Use a smaller window.");
   }
   return done;
 #endif

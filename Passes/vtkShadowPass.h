@@ -21,8 +21,9 @@
  * keys say otherwise (SetCastsShadows and SetReceivesShadows write them):
  * CASTS_SHADOWS 0: never a caster; 1: a caster even if translucent, then as if opaque.
  * RECEIVES_SHADOWS 0: always lit.
- * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop receives
- * from techniques of the lookup form (depth-map) and is lit by those of the mask form (ray-cast).
+ * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
+ * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
+ * (ray-cast).
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
  * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
@@ -135,9 +136,10 @@ public:
   /**
    * Visibility of one light in the current view of `renderer`, as an image of the renderer's size:
    * one float component, 0 (not seen) to 1 (seen, background, or no receiver), origin bottom-left.
-   * Strength is left out: it is the technique's own answer. The renderer's window must have rendered once
-   * and `renderer` must have this pass; light must be one of its lights. Renders the receivers into
-   * a buffer of its own, not into the window. false, with an error, if it could not be made.
+   * Strength is left out: it is the technique's own answer. The renderer's window must have
+   * rendered once and `renderer` must have this pass; light must be one of its lights. Renders the
+   * receivers into a buffer of its own, not into the window. false, with an error, if it could not
+   * be made.
    */
   bool GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility);
 
@@ -155,8 +157,8 @@ public:
 
   ///@{
   /**
-   * The keys that say whether a prop casts and receives (int, 0 or 1; default 1), and their setters.
-   * A part of an assembly has the assembly's keys: VTK hands them down.
+   * The keys that say whether a prop casts and receives (int, 0 or 1; default 1), and their
+   * setters. A part of an assembly has the assembly's keys: VTK hands them down.
    */
   static vtkInformationIntegerKey* CASTS_SHADOWS();
   static vtkInformationIntegerKey* RECEIVES_SHADOWS();

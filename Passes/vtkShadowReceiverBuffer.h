@@ -1,5 +1,5 @@
-// What the eye sees of the receivers in this frame: per pixel a position and the face's normal, in view
-// coordinates. Drawn once a frame, and only if a technique asks.
+// What the eye sees of the receivers in this frame: per pixel a position and the face's normal, in
+// view coordinates. Drawn once a frame, and only if a technique asks.
 #ifndef vtkShadowReceiverBuffer_h
 #define vtkShadowReceiverBuffer_h
 
@@ -37,8 +37,9 @@ public:
   const float* PixelAt(std::size_t i) const { return &this->Pixels[4 * i]; }
   static bool IsReceiver(const float* pixel) { return pixel[3] > 0.5f; }
 
-  // The octahedral code of vtkShadowReceiverBufferFS.glsl: 12 bits an axis, 1 added so that 0 is nothing
-  // (Cigolle et al. 2014). Unit, and written without branches so that compilers vectorise loops of it.
+  // The octahedral code of vtkShadowReceiverBufferFS.glsl: 12 bits an axis, 1 added so that 0 is
+  // nothing (Cigolle et al. 2014). Unit, and written without branches so that compilers vectorise
+  // loops of it.
   static void DecodeNormal(float code, float& x, float& y, float& z)
   {
     const int bits = static_cast<int>(code) - 1;
@@ -56,7 +57,8 @@ public:
 
   std::size_t CountReceivers() const;
 
-  // Draw the receivers' visibility of light `light` instead: one float a pixel, 1 where there is none.
+  // Draw the receivers' visibility of light `light` instead: one float a pixel, 1 where there is
+  // none.
   bool DrawVisibility(const vtkShadowFrame& frame, int light, std::vector<float>& visibility);
 
   void Release();

@@ -126,8 +126,8 @@ vtkMTimeType DeepMTime(vtkDataObject* data)
   return time;
 }
 
-// When a mapper last changed in a way that changes what it casts. A mapper's own time grows with its colours,
-// too; where it places or shapes things by settings of its own there is no other.
+// When a mapper last changed in a way that changes what it casts. A mapper's own time grows with
+// its colours, too; where it places or shapes things by settings of its own there is no other.
 vtkMTimeType ShapeMTime(vtkMapper* mapper)
 {
   const bool isPlain = (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper")) &&

@@ -2,9 +2,9 @@
  * @class   vtkShadowScene
  * @brief   this frame's lights, casters and receivers, gathered once, in double
  *
- * Gathered by vtkShadowPass at the start of a frame. Everything is in world coordinates. Change stamps
- * grow only when something changed that a shadow depends on: a caster moved, hidden, its points edited
- * in place, its mapper's input replaced; a light moved.
+ * Gathered by vtkShadowPass at the start of a frame. Everything is in world coordinates. Change
+ * stamps grow only when something changed that a shadow depends on: a caster moved, hidden, its
+ * points edited in place, its mapper's input replaced; a light moved.
  *
  * @sa vtkShadowPass
  */
@@ -32,8 +32,8 @@ public:
 
   ///@{
   /**
-   * Counts of the last frame: switched-on lights (headlights included), casters, receivers (props; an
-   * assembly is one).
+   * Counts of the last frame: switched-on lights (headlights included), casters, receivers (props;
+   * an assembly is one).
    */
   int GetNumberOfLights() const;
   int GetNumberOfCasters() const;

@@ -44,8 +44,8 @@ struct vtkShadowScene::Prop
   bool Casts = true;
   bool Receives = true;
   bool Translucent = false;
-  // Draws impostors (spheres, sticks, points as spheres, lines as tubes), whose shaders ask whether the
-  // camera is parallel.
+  // Draws impostors (spheres, sticks, points as spheres, lines as tubes), whose shaders ask whether
+  // the camera is parallel.
   bool Impostors = false;
   std::vector<Piece> Pieces;
 };

@@ -2,14 +2,14 @@
  * @class   vtkShadowTechniquePass
  * @brief   the contract: one technique, its visibility of a light
  *
- * A technique answers one question: how much of a light does a receiver see, 0 to 1. It answers in one
- * of two forms:
+ * A technique answers one question: how much of a light does a receiver see, 0 to 1. It answers in
+ * one of two forms:
  * - LOOKUP: a GLSL function of the fragment's position, evaluated while the receiver is shaded;
  * - MASK: a viewport-sized texture, 1 lit and 0 shadowed, origin bottom-left, one layer a light.
  * Nothing else leaves a technique; vtkShadowedShadingPass is the one that multiplies.
  *
- * Each frame vtkShadowPass calls UpdateVisibility with the lights that this technique serves; slot i of a
- * lookup or mask belongs to lights[i].
+ * Each frame vtkShadowPass calls UpdateVisibility with the lights that this technique serves; slot
+ * i of a lookup or mask belongs to lights[i].
  *
  * Given to a renderer by itself (renderer->SetPass), a technique shadows every light.
  *
@@ -74,8 +74,9 @@ protected:
 
   ///@{
   /**
-   * The layers that are sampled, one a slot (LOOKUP: maps; MASK: one byte a pixel of the viewport), and the
-   * name of the one sampler2DArray that reads them. Called once UpdateVisibility has succeeded.
+   * The layers that are sampled, one a slot (LOOKUP: maps; MASK: one byte a pixel of the viewport),
+   * and the name of the one sampler2DArray that reads them. Called once UpdateVisibility has
+   * succeeded.
    */
   virtual vtkShadowTextureArray* GetTextures() = 0;
   virtual std::string GetSamplerName() const = 0;
@@ -83,11 +84,12 @@ protected:
 
   ///@{
   /**
-   * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int slot, vec4 position)`; the name of f for
-   * a light; and the matrix, column-major, that takes a receiver's position from the eye's view coordinates to
-   * the space that f wants it in, which vtkShadowedShadingPass applies. f takes the receiver's plane from
-   * screen derivatives; an impostor, beside whose rim there are none, calls `f(slot, position, along1,
-   * along2)` with two directions on its plane, by the same matrix. Every name in it begins with "shadow".
+   * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int slot, vec4 position)`; the name of
+   * f for a light; and the matrix, column-major, that takes a receiver's position from the eye's
+   * view coordinates to the space that f wants it in, which vtkShadowedShadingPass applies. f takes
+   * the receiver's plane from screen derivatives; an impostor, beside whose rim there are none,
+   * calls `f(slot, position, along1, along2)` with two directions on its plane, by the same matrix.
+   * Every name in it begins with "shadow".
    */
   virtual std::string GetLookupDeclarations() const { return {}; }
   virtual std::string GetLookupFunction(const vtkshadows::ShadowLight&) const { return {}; }

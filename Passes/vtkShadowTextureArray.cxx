@@ -71,8 +71,8 @@ bool vtkShadowTextureArray::Reserve(
   {
     // Forget errors of others: the next one asked for must be ours.
   }
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(layout.Internal), width, height, layers, 0,
-    layout.Components, layout.Type, nullptr);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(layout.Internal), width, height, layers,
+    0, layout.Components, layout.Type, nullptr);
   if (glGetError() != GL_NO_ERROR)
   {
     glDeleteTextures(1, &this->Texture);

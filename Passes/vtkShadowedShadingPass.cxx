@@ -3,10 +3,10 @@
 #include "vtkShadowCasterCamera.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
+#include "vtkShadowReceiverBufferFS.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTechniquePass.h"
 #include "vtkShadowTextureArray.h"
-#include "vtkShadowReceiverBufferFS.h"
 #include "vtkShadowedShadingPassFS.h"
 
 #include "vtkActor.h"
@@ -29,7 +29,8 @@ vtkStandardNewMacro(vtkShadowedShadingPass);
 namespace
 {
 
-// Places in the fragment shader that this pass marks before VTK fills its own tags, and fills after.
+// Places in the fragment shader that this pass marks before VTK fills its own tags, and fills
+// after.
 const char* const DeclarationMark = "//SHADOW::Dec\n";
 const char* const LightMark = "//SHADOW::Light\n";
 const char* const OutputMark = "//SHADOW::Output\n";
@@ -66,8 +67,8 @@ std::string MatrixUniform(std::size_t light)
   return "shadowFromView" + std::to_string(light);
 }
 
-// Light spaces that go through the rasteriser; the others are transformed to in the fragment shader. Every
-// OpenGL takes 15 vectors, of which VTK needs some.
+// Light spaces that go through the rasteriser; the others are transformed to in the fragment
+// shader. Every OpenGL takes 15 vectors, of which VTK needs some.
 constexpr std::size_t MostVaryings = 8;
 
 // Where a fragment's position and plane come from.
@@ -239,8 +240,8 @@ void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
   for (const std::size_t i : props)
   {
     const vtkShadowScene::Prop& prop = frame.Scene->GetProps()[i];
-    // Only impostors look at this flag while drawing depth; for the others a change of it would mean
-    // another shader.
+    // Only impostors look at this flag while drawing depth; for the others a change of it would
+    // mean another shader.
     this->CasterCamera->SetParallelProjection(
       prop.Impostors ? view.parallel : eye->GetParallelProjection() != 0);
     if (prop.Translucent)
@@ -293,9 +294,10 @@ std::string vtkShadowedShadingPass::Declarations() const
   }
   else if (anyMask)
   {
-    code << "uniform vec2 shadowMaskOrigin;\nuniform vec2 shadowMaskScale;\n"
-            "#define SHADOW_MASK_TEXEL ivec2((gl_FragCoord.xy - shadowMaskOrigin) * shadowMaskScale)\n"
-         << vtkShadowedShadingPassFS;
+    code
+      << "uniform vec2 shadowMaskOrigin;\nuniform vec2 shadowMaskScale;\n"
+         "#define SHADOW_MASK_TEXEL ivec2((gl_FragCoord.xy - shadowMaskOrigin) * shadowMaskScale)\n"
+      << vtkShadowedShadingPassFS;
   }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
@@ -323,8 +325,8 @@ std::vector<std::size_t> vtkShadowedShadingPass::LightsOfForm(
 }
 
 //------------------------------------------------------------------------------
-// A light's space goes through the rasteriser rather than being transformed to for each fragment: a software
-// rasteriser reads the 16 uniforms of a matrix for every few pixels.
+// A light's space goes through the rasteriser rather than being transformed to for each fragment: a
+// software rasteriser reads the 16 uniforms of a matrix for every few pixels.
 void vtkShadowedShadingPass::PlacePositions(
   std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader) const
 {
@@ -333,8 +335,7 @@ void vtkShadowedShadingPass::PlacePositions(
   {
     lookups = this->LightsOfForm(vtkShadowTechniquePass::LOOKUP);
   }
-  const bool isPlain =
-    SurfaceOf(vertexShader, geometryShader, fragmentShader) == Surface::Vertices;
+  const bool isPlain = SurfaceOf(vertexShader, geometryShader, fragmentShader) == Surface::Vertices;
 
   std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
   for (std::size_t n = 0; n < lookups.size(); ++n)
@@ -348,8 +349,8 @@ void vtkShadowedShadingPass::PlacePositions(
     }
     else
     {
-      fragmentDeclarations << "uniform mat4 " << matrix << ";\n#define " << varying << " (" << matrix
-                           << " * vertexVC)\n";
+      fragmentDeclarations << "uniform mat4 " << matrix << ";\n#define " << varying << " ("
+                           << matrix << " * vertexVC)\n";
     }
   }
   vtkShaderProgram::Substitute(vertexShader, VertexDeclarationMark, vertexDeclarations.str());
@@ -365,9 +366,10 @@ std::string vtkShadowedShadingPass::LightCode(
   std::ostringstream code;
   if (isImpostor)
   {
-    code << "  vec3 shadowAlong1 = normalize(cross(normalVCVSOutput, abs(normalVCVSOutput.x) < 0.6 ? "
-            "vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));\n"
-            "  vec3 shadowAlong2 = cross(normalVCVSOutput, shadowAlong1);\n";
+    code
+      << "  vec3 shadowAlong1 = normalize(cross(normalVCVSOutput, abs(normalVCVSOutput.x) < 0.6 ? "
+         "vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));\n"
+         "  vec3 shadowAlong2 = cross(normalVCVSOutput, shadowAlong1);\n";
   }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
@@ -426,11 +428,11 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
 {
   if (this->CurrentStage == CASTERS)
   {
-    // Depth alone, by a program of its own: without lighting there are no normals to interpolate, and without
-    // a transparent colour nothing to discard but what a texture with holes discards. Impostors keep
-    // their own discards.
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
-      "//VTK::System::Dec\n// shadow casters\n", false);
+    // Depth alone, by a program of its own: without lighting there are no normals to interpolate,
+    // and without a transparent colour nothing to discard but what a texture with holes discards.
+    // Impostors keep their own discards.
+    vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
     vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::Light::Impl", "  gl_FragData[0] = vec4(1.0);\n", false);
     return true;
@@ -451,7 +453,8 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
     {
       vtkErrorMacro("The fragment shader of "
         << prop->GetClassName() << " (" << prop
-        << ") lacks the tags //VTK::Light::Dec, //VTK::Light::Impl and //VTK::DepthPeeling::Impl: it is "
+        << ") lacks the tags //VTK::Light::Dec, //VTK::Light::Impl and //VTK::DepthPeeling::Impl: "
+           "it is "
            "drawn lit. Keep these tags in a fragment shader of your own to have it shadowed.");
       this->Complained = true;
     }
@@ -515,8 +518,8 @@ bool vtkShadowedShadingPass::SetShaderParameters(
 {
   if (this->CurrentStage == CASTERS)
   {
-    // Every face casts, and a translucent caster writes its depth, too. The lights need not be set, and
-    // must not be: this camera is not the eye.
+    // Every face casts, and a translucent caster writes its depth, too. The lights need not be set,
+    // and must not be: this camera is not the eye.
     this->State->vtkglDisable(GL_CULL_FACE);
     this->State->vtkglDepthMask(GL_TRUE);
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
@@ -535,9 +538,9 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   {
     const LightPlan& light = this->Plan[i];
     float matrix[16];
-    std::copy_n(receives ? light.Technique->GetLookupMatrix(light.Slot)
-                         : light.Technique->GetLitMatrix(),
-      16, matrix);
+    std::copy_n(
+      receives ? light.Technique->GetLookupMatrix(light.Slot) : light.Technique->GetLitMatrix(), 16,
+      matrix);
     program->SetUniformMatrix4x4(MatrixUniform(i).c_str(), matrix);
   }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)

@@ -2,17 +2,18 @@
  * @class   vtkShadowedShadingPass
  * @brief   the one consumer of visibility: multiplies each light's colour by it
  *
- * Attached to the props of a frame, it puts one line a light ahead of VTK's own lighting code in the
- * fragment shader:
+ * Attached to the props of a frame, it puts one line a light ahead of VTK's own lighting code in
+ * the fragment shader:
  * @code
  * vec3 lightColor0 = lightColor0 * visibilityOfLight0;
  * @endcode
- * a local variable that hides the uniform, so that every lighting model of VTK's (Gouraud, flat, PBR with
- * coat) is shadowed alike and no light equation is matched by its text.
+ * a local variable that hides the uniform, so that every lighting model of VTK's (Gouraud, flat,
+ * PBR with coat) is shadowed alike and no light equation is matched by its text.
  *
- * The other draws of a frame (casters into a map, receivers into a buffer) go through the same mappers with
- * a shader of their stage, without the lookups: a software rasteriser would evaluate them although
- * nothing of them is kept. A change of stage costs each mapper a look into VTK's shader cache.
+ * The other draws of a frame (casters into a map, receivers into a buffer) go through the same
+ * mappers with a shader of their stage, without the lookups: a software rasteriser would evaluate
+ * them although nothing of them is kept. A change of stage costs each mapper a look into VTK's
+ * shader cache.
  *
  * @sa vtkShadowPass vtkShadowTechniquePass
  */
@@ -21,8 +22,8 @@
 
 #include "vtkNew.h" // for the caster camera
 #include "vtkOpenGLRenderPass.h"
-#include "vtkShadowsPassesModule.h" // for export macro
 #include "vtkShadowTechniquePass.h" // for the plan
+#include "vtkShadowsPassesModule.h" // for export macro
 #include "vtkSmartPointer.h"        // for the keys attached to
 
 #include <string>        // for std::string
@@ -75,17 +76,21 @@ public:
   void Attach(const vtkShadowFrame& frame);
   void Detach();
 
-  // Between UpdateVisibility of every technique in the plan and the frame's shading; Detach undoes it.
+  // Between UpdateVisibility of every technique in the plan and the frame's shading; Detach undoes
+  // it.
   void ActivateTextures();
 
-  // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's, into the
-  // bound framebuffer. Camera and stage are as before afterwards.
+  // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's,
+  // into the bound framebuffer. Camera and stage are as before afterwards.
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view);
   void DrawReceivers(const vtkShadowFrame& frame, Stage stage);
 
   // The light that VISIBILITY shows.
-  void SetShownLight(int light) { this->ShownLight = light; }
+  void SetShownLight(int light)
+  {
+    this->ShownLight = light;
+  }
 #endif
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,

@@ -86,11 +86,11 @@ struct WindowSize
 };
 const WindowSize Windows[] = { { 1024, 768 }, { 768, 768 }, { 333, 1000 } };
 
-// What is asked of a scene, in percent of its receiver pixels. The bounds of smooth things and the mismatch
-// of thin ones are those that the technique is meant to keep. Two it does not reach, and these are what
-// was measured: a mesh whose bumps are a few texels wide is all edges (0.145 % mismatch), and
-// among thin things whose shadows fall on each other within a texel's slope some are lost (0.0097 %
-// gross, the most of it missed).
+// What is asked of a scene, in percent of its receiver pixels. The bounds of smooth things and the
+// mismatch of thin ones are those that the technique is meant to keep. Two it does not reach, and
+// these are what was measured: a mesh whose bumps are a few texels wide is all edges (0.145 %
+// mismatch), and among thin things whose shadows fall on each other within a texel's slope some are
+// lost (0.0097 % gross, the most of it missed).
 struct Bounds
 {
   double Mismatch;
@@ -220,7 +220,9 @@ TEST_F(DepthMapAccuracy, TwentyUnseenViews)
 
     const char* names[] = { "still life", "bumpy mesh", "tubes and glyphs" };
     this->CheckLights(std::string(names[scene]) + ", seed " + std::to_string(seed),
-      scene == 0 ? OfSmoothThings : scene == 1 ? OfRoughThings : OfThinThings);
+      scene == 0     ? OfSmoothThings
+        : scene == 1 ? OfRoughThings
+                     : OfThinThings);
   }
 }
 
