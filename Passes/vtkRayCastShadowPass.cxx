@@ -13,7 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#if __has_include(<embree4/rtcore.h>)
+#if VTKSHADOWS_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
 #include <embree3/rtcore.h>
