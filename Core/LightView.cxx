@@ -293,11 +293,38 @@ glm::dvec3 CentreOf(const std::vector<BoxCorners>& boxes)
   return 0.5 * (low + high);
 }
 
+// Whether the sphere around the casters lies wholly outside the spot's cone.
+bool IsOutsideCone(const ShadowLight& light, const std::vector<BoxCorners>& casters)
+{
+  const glm::dvec3 centre = CentreOf(casters);
+  double radius = 0.0;
+  for (const BoxCorners& corners : casters)
+  {
+    for (const glm::dvec3& corner : corners)
+    {
+      radius = std::max(radius, glm::length(corner - centre));
+    }
+  }
+  const glm::dvec3 toCentre = centre - light.position;
+  const double distance = glm::length(toCentre);
+  if (distance <= radius)
+  {
+    return false;
+  }
+  const double offAxis =
+    std::acos(glm::clamp(glm::dot(toCentre / distance, light.direction), -1.0, 1.0));
+  return offAxis - std::asin(radius / distance) > glm::radians(light.coneAngle);
+}
+
 LightViewResult FitPositional(const ShadowLight& light, const std::vector<BoxCorners>& casters,
   const std::vector<BoxCorners>& receivers, double margin)
 {
   const bool isSpot = light.kind == LightKind::Spot;
   LightViewResult result;
+  if (isSpot && IsOutsideCone(light, casters))
+  {
+    return result;
+  }
 
   // First choice: look at the casters. If they surround the light, look along the spot's axis.
   const glm::dvec3 toCasters = CentreOf(casters) - light.position;
