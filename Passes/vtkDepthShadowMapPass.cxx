@@ -163,6 +163,7 @@ public:
   vtkShadowTextureArray Maps;
   std::vector<MapState> States;       // one a slot
   std::vector<ShaderMatrix> Matrices; // one a slot
+  std::vector<BoxCorners> Receivers;  // of this frame, the same for every light
   int UsedResolution = 0;
   int RefusedResolution = 0;
 };
@@ -234,6 +235,17 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
 
   my.States.resize(slots);
   my.Matrices.resize(slots);
+  my.Receivers.clear();
+  for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      if (prop.Receives)
+      {
+        my.Receivers.push_back(piece.CornersWC);
+      }
+    }
+  }
   for (int slot = 0; slot < slots; ++slot)
   {
     this->UpdateMap(frame, lights[slot], slot);
@@ -248,18 +260,9 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
   const vtkShadowScene::Light& light = frame.Scene->GetLights()[lightIndex];
   const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
 
-  // Who can be in shadow, and who can cast it.
-  std::vector<BoxCorners> receivers, casters;
-  for (const vtkShadowScene::Prop& prop : props)
-  {
-    for (const vtkShadowScene::Piece& piece : prop.Pieces)
-    {
-      if (prop.Receives)
-      {
-        receivers.push_back(piece.CornersWC);
-      }
-    }
-  }
+  // Who can cast on any of them.
+  const std::vector<BoxCorners>& receivers = my.Receivers;
+  std::vector<BoxCorners> casters;
   MapState wanted;
   for (std::size_t i = 0; i < props.size(); ++i)
   {

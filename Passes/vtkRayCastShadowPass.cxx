@@ -476,6 +476,7 @@ bool vtkRayCastShadowPass::UpdateVisibility(
   }
   this->WarnOnce(this, "");
 
+  const auto receivers = static_cast<vtkIdType>(frame.Receivers->CountReceivers());
   std::vector<float> visibility;
   std::vector<unsigned char> mask;
   for (std::size_t slot = 0; slot < lights.size(); ++slot)
@@ -489,8 +490,7 @@ bool vtkRayCastShadowPass::UpdateVisibility(
     std::transform(visibility.begin(), visibility.end(), mask.begin(),
       [](float v) { return static_cast<unsigned char>(v * 255.0f + 0.5f); });
     my.Masks.Upload(static_cast<int>(slot), mask.data());
-    this->NumberOfRays += static_cast<vtkIdType>(frame.Receivers->CountReceivers()) *
-      (light.Ray.radius > 0.0 ? this->LightSamples : 1);
+    this->NumberOfRays += receivers * (light.Ray.radius > 0.0 ? this->LightSamples : 1);
   }
   return true;
 }

@@ -47,7 +47,6 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
-#include <vector> // for std::vector
 
 class vtkDepthShadowMapPass;
 class vtkImageData;

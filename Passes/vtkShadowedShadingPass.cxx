@@ -119,31 +119,37 @@ vtkShadowedShadingPass::vtkShadowedShadingPass() = default;
 vtkShadowedShadingPass::~vtkShadowedShadingPass() = default;
 
 //------------------------------------------------------------------------------
-std::vector<vtkShadowTechniquePass*> vtkShadowedShadingPass::TechniquesInPlan() const
-{
-  std::vector<vtkShadowTechniquePass*> techniques;
-  for (const LightPlan& light : this->Plan)
-  {
-    if (light.Technique &&
-      std::find(techniques.begin(), techniques.end(), light.Technique) == techniques.end())
-    {
-      techniques.push_back(light.Technique);
-    }
-  }
-  return techniques;
-}
-
-//------------------------------------------------------------------------------
 void vtkShadowedShadingPass::SetPlan(const std::vector<LightPlan>& plan)
 {
   this->Plan = plan;
+  this->Techniques.clear();
+  this->Lookups.clear();
+  this->HasMasks = false;
   std::ostringstream shape;
-  for (const LightPlan& light : plan)
+  for (std::size_t i = 0; i < plan.size(); ++i)
   {
+    const LightPlan& light = plan[i];
     shape << (light.Technique ? light.Technique->GetTechniqueName() : "-") << light.Slot
           << light.LookupFunction << (light.Strength < 1.0f) << ' ';
+    if (!light.Technique)
+    {
+      continue;
+    }
+    if (light.Technique->GetVisibilityForm() == vtkShadowTechniquePass::LOOKUP)
+    {
+      this->Lookups.push_back(i);
+    }
+    else
+    {
+      this->HasMasks = true;
+    }
+    if (std::find(this->Techniques.begin(), this->Techniques.end(), light.Technique) ==
+      this->Techniques.end())
+    {
+      this->Techniques.push_back(light.Technique);
+    }
   }
-  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
+  for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     shape << technique->GetLookupDeclarations();
   }
@@ -189,17 +195,16 @@ void vtkShadowedShadingPass::AttachTo(vtkProp* prop, bool receives)
   }
   // Parts of an assembly share its keys.
   vtkInformation* keys = prop->GetPropertyKeys();
-  if (std::find(this->Attached.begin(), this->Attached.end(), keys) == this->Attached.end())
+  if (this->Attached.emplace(keys, keys).second)
   {
     keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
-    this->Attached.emplace_back(keys);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::ActivateTextures()
 {
-  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
+  for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     technique->GetTextures()->Activate();
   }
@@ -208,12 +213,13 @@ void vtkShadowedShadingPass::ActivateTextures()
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::Detach()
 {
-  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
+  for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     technique->GetTextures()->Deactivate();
   }
-  for (const vtkSmartPointer<vtkInformation>& keys : this->Attached)
+  for (const auto& attached : this->Attached)
   {
+    vtkInformation* keys = attached.second;
     keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
     if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
     {
@@ -278,21 +284,19 @@ std::string vtkShadowedShadingPass::Declarations() const
     return vtkShadowReceiverBufferFS;
   }
   std::ostringstream code;
-  bool anyMask = false;
-  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
+  for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
     {
       code << "uniform sampler2DArray " << technique->GetSamplerName() << ";\n";
-      anyMask = true;
     }
     code << technique->GetLookupDeclarations();
   }
-  if (anyMask && this->MaskIsPixels)
+  if (this->HasMasks && this->MaskIsPixels)
   {
     code << "#define SHADOW_MASK_TEXEL ivec2(gl_FragCoord.xy)\n" << vtkShadowedShadingPassFS;
   }
-  else if (anyMask)
+  else if (this->HasMasks)
   {
     code
       << "uniform vec2 shadowMaskOrigin;\nuniform vec2 shadowMaskScale;\n"
@@ -310,32 +314,13 @@ std::string vtkShadowedShadingPass::Declarations() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> vtkShadowedShadingPass::LightsOfForm(
-  vtkShadowTechniquePass::VisibilityForm form) const
-{
-  std::vector<std::size_t> lights;
-  for (std::size_t i = 0; i < this->Plan.size(); ++i)
-  {
-    if (this->Plan[i].Technique && this->Plan[i].Technique->GetVisibilityForm() == form)
-    {
-      lights.push_back(i);
-    }
-  }
-  return lights;
-}
-
-//------------------------------------------------------------------------------
 // A light's space goes through the rasteriser rather than being transformed to for each fragment: a
 // software rasteriser reads the 16 uniforms of a matrix for every few pixels.
 void vtkShadowedShadingPass::PlacePositions(
-  std::string& vertexShader, const std::string& geometryShader, std::string& fragmentShader) const
+  std::string& vertexShader, std::string& fragmentShader, bool isPlain) const
 {
-  std::vector<std::size_t> lookups;
-  if (this->CurrentStage == SHADE || this->CurrentStage == VISIBILITY)
-  {
-    lookups = this->LightsOfForm(vtkShadowTechniquePass::LOOKUP);
-  }
-  const bool isPlain = SurfaceOf(vertexShader, geometryShader, fragmentShader) == Surface::Vertices;
+  const std::vector<std::size_t> lookups =
+    this->CurrentStage == POSITIONS ? std::vector<std::size_t>() : this->Lookups;
 
   std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
   for (std::size_t n = 0; n < lookups.size(); ++n)
@@ -474,6 +459,10 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
 bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
+  if (this->CurrentStage == CASTERS)
+  {
+    return true;
+  }
   // VTK declares a position and colours of lights only where a primitive is lit.
   const bool isLit = Declares(fragmentShader, ColorUniform(0)) &&
     fragmentShader.find("vec4 vertexVC = ") != std::string::npos;
@@ -483,13 +472,13 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
     vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->NoReceiver());
     return true;
   }
-  const bool isImpostor =
-    SurfaceOf(vertexShader, geometryShader, fragmentShader) == Surface::Impostor;
+  const Surface surface = SurfaceOf(vertexShader, geometryShader, fragmentShader);
+  const bool isImpostor = surface == Surface::Impostor;
   vtkShaderProgram::Substitute(fragmentShader, LightMark,
     this->CurrentStage == POSITIONS ? std::string() : this->LightCode(fragmentShader, isImpostor));
   vtkShaderProgram::Substitute(
     fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor));
-  this->PlacePositions(vertexShader, geometryShader, fragmentShader);
+  this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices);
   return true;
 }
 
@@ -534,7 +523,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     return true;
   }
 
-  for (const std::size_t i : this->LightsOfForm(vtkShadowTechniquePass::LOOKUP))
+  for (const std::size_t i : this->Lookups)
   {
     const LightPlan& light = this->Plan[i];
     float matrix[16];
@@ -550,11 +539,14 @@ bool vtkShadowedShadingPass::SetShaderParameters(
       program->SetUniformf(StrengthUniform(i).c_str(), this->Plan[i].Strength);
     }
   }
-  for (vtkShadowTechniquePass* technique : this->TechniquesInPlan())
+  for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     program->SetUniformi(technique->GetSamplerName().c_str(), technique->GetTextures()->Unit());
   }
-  this->SetMaskParameters(program, prop, receives);
+  if (this->HasMasks)
+  {
+    this->SetMaskParameters(program, prop, receives);
+  }
   return true;
 }
 

@@ -33,7 +33,6 @@
 class vtkInformation;
 class vtkOpenGLState;
 class vtkShadowCasterCamera;
-class vtkShadowScene;
 struct vtkShadowFrame;
 namespace vtkshadows
 {
@@ -109,20 +108,20 @@ private:
   vtkShadowedShadingPass(const vtkShadowedShadingPass&) = delete;
   void operator=(const vtkShadowedShadingPass&) = delete;
 
-  std::vector<vtkShadowTechniquePass*> TechniquesInPlan() const;
   std::string Declarations() const;
   std::string LightCode(const std::string& fragmentShader, bool isImpostor) const;
   std::string OutputCode(const std::string& fragmentShader, bool isImpostor) const;
   std::string NoReceiver() const;
-  std::vector<std::size_t> LightsOfForm(vtkShadowTechniquePass::VisibilityForm form) const;
-  void PlacePositions(std::string& vertexShader, const std::string& geometryShader,
-    std::string& fragmentShader) const;
+  void PlacePositions(std::string& vertexShader, std::string& fragmentShader, bool isPlain) const;
   void SetMaskParameters(vtkShaderProgram* program, vtkProp* prop, bool receives);
   void AttachTo(vtkProp* prop, bool receives);
   void SetStage(Stage stage);
   bool IsReceiver(vtkProp* prop) const;
 
   std::vector<LightPlan> Plan;
+  std::vector<vtkShadowTechniquePass*> Techniques; // of the plan, each once
+  std::vector<std::size_t> Lookups;                // lights of the plan
+  bool HasMasks = false;
   std::string PlanShape; // what of the plan the shader's text depends on
   vtkTimeStamp ShaderStage;
   Stage CurrentStage = SHADE;
@@ -130,7 +129,7 @@ private:
   bool Complained = false;
 
   vtkOpenGLState* State = nullptr; // while attached
-  std::vector<vtkSmartPointer<vtkInformation>> Attached;
+  std::unordered_map<vtkInformation*, vtkSmartPointer<vtkInformation>> Attached;
   std::unordered_map<vtkProp*, bool> Receives; // leaves and tops
   float MaskSize[2] = { 0.0f, 0.0f };
   bool MaskIsPixels = true;
