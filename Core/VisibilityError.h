@@ -15,8 +15,8 @@ enum class PixelRole : std::uint8_t
 {
   Background = 0, // no receiver is seen there
   Grazing = 1,    // a receiver that the light does not reach: its face turns from it, or nearly so
-               // (N.L at most 0.02), or it lies outside a spot's cone
-  Uncertain = 2, // its truth hangs on the ray epsilon
+                  // (N.L at most 0.02), or it lies outside a spot's cone
+  Uncertain = 2,  // its truth hangs on the ray epsilon
   Measured = 3
 };
 

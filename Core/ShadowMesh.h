@@ -1,0 +1,96 @@
+// A caster's triangles, ready for shadow volumes: welded, every edge known with all its triangles,
+// and the closed pieces told from the rest. Built once a shape; a light that moves changes nothing
+// here (see ShadowVolume.h).
+//
+// Any triangle soup will do: open, non-manifold, of mixed winding, with duplicated faces.
+// Real is float for what is drawn, double for what is computed as geometry.
+//
+// @par Reference: P. Bergeron: A general version of Crow's shadow volumes, IEEE CG&A 6(9), 1986
+// (edges of any number of faces); B. Kim, K. Kim, G. Turk: A shadow-volume algorithm for opaque and
+// transparent nonmanifold casters, Journal of Graphics Tools 13(3), 2008.
+#ifndef vtkshadows_ShadowMesh_h
+#define vtkshadows_ShadowMesh_h
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vtkshadows
+{
+
+// A side of a triangle, from corner `half % 3` of triangle `half / 3` to the next corner. Listed
+// with others of its edge it may carry the bit RunsAlike.
+using HalfEdge = std::uint32_t;
+
+// Set on a half-edge that runs the same way as the first one of its edge. Of two neighbours that
+// are wound alike the second runs against the first.
+constexpr HalfEdge RunsAlike = 0x80000000u;
+
+// The undirected edges, by how many triangles meet there.
+struct EdgeTable
+{
+  struct Pair
+  {
+    HalfEdge first;  // plain
+    HalfEdge second; // with or without RunsAlike
+  };
+  std::vector<HalfEdge> borders; // edges of one triangle
+  std::vector<Pair> pairs;       // edges of two
+  // Edges of three and more: fan i is fanSides[fanStarts[i]] up to, not including,
+  // fanSides[fanStarts[i + 1]]. The first of each is plain.
+  std::vector<HalfEdge> fanSides;
+  std::vector<std::uint32_t> fanStarts{ 0 };
+
+  std::size_t NumberOfEdges() const
+  {
+    return this->borders.size() + this->pairs.size() + this->fanStarts.size() - 1;
+  }
+};
+
+// Triangles first .. last-1, which are connected by edges, or are all those that are not closed.
+struct MeshPiece
+{
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  // Closed and consistently wound: along each edge as many triangles run one way as the other.
+  bool closed = false;
+  bool insideOut = false; // of a closed piece: its triangles are wound clockwise, seen from outside
+  glm::dvec3 minimum{ 0.0 }, maximum{ 0.0 }; // of a closed piece's points
+};
+
+template <typename Real>
+struct ShadowMesh
+{
+  using Point = glm::vec<3, Real>;
+  std::vector<Point> points;            // no two with the same bits
+  std::vector<glm::uvec3> triangles;    // three different points each; piece by piece
+  std::vector<std::uint32_t> originals; // of each triangle: its index in what the mesh was made of.
+                                        // Empty: the same.
+  EdgeTable edges;
+  std::vector<MeshPiece> pieces; // closed ones, and at most one of all the others, the last
+
+  std::size_t NumberOfTriangles() const { return this->triangles.size(); }
+  // Of the arrays, without their spare capacity.
+  std::size_t MemoryInBytes() const;
+};
+
+// Weld points that agree in every bit (0 and -0 are one), drop triangles that then repeat a point,
+// and find edges and pieces; on all cores, with the same result on any number of them. At most
+// (2^31 - 1) / 3 triangles; std::length_error above. Precondition: points are finite, indices below
+// points.size(). `keepOriginals`: fill `originals`.
+template <typename Real>
+ShadowMesh<Real> BuildShadowMesh(std::vector<glm::vec<3, Real>> points,
+  std::vector<glm::uvec3> triangles, bool keepOriginals = false);
+
+extern template struct ShadowMesh<float>;
+extern template struct ShadowMesh<double>;
+extern template ShadowMesh<float> BuildShadowMesh(
+  std::vector<glm::vec3> points, std::vector<glm::uvec3> triangles, bool keepOriginals);
+extern template ShadowMesh<double> BuildShadowMesh(
+  std::vector<glm::dvec3> points, std::vector<glm::uvec3> triangles, bool keepOriginals);
+
+}
+
+#endif
