@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <tbb/parallel_reduce.h>
 
 #include <cstdlib>
 
@@ -278,6 +279,36 @@ void EmitVolume(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs
   EmitCaps(mesh, signs, indices);
 }
 
+//------------------------------------------------------------------------------
+template <typename Real>
+int CountCrossed(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs,
+  const glm::dvec4& light, const glm::dvec3& direction)
+{
+  const glm::dvec3 origin = glm::dvec3(light) / light.w;
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), BlockSize), 0,
+    [&](const tbb::blocked_range<std::size_t>& range, int count)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        const glm::uvec3& t = mesh.triangles[i];
+        const glm::dvec3 a = glm::dvec3(mesh.points[t.x]) - origin;
+        const glm::dvec3 b = glm::dvec3(mesh.points[t.y]) - origin;
+        const glm::dvec3 c = glm::dvec3(mesh.points[t.z]) - origin;
+        // Within all three planes through the origin and a side, on the same side as the triangle.
+        const double ab = glm::dot(glm::cross(a, b), direction);
+        const double bc = glm::dot(glm::cross(b, c), direction);
+        const double ca = glm::dot(glm::cross(c, a), direction);
+        const double volume = glm::dot(glm::cross(a, b), c);
+        const double sign = volume < 0.0 ? -1.0 : 1.0;
+        const bool isCrossed = ab * sign > 0.0 && bc * sign > 0.0 && ca * sign > 0.0;
+        count += signs[i] != 0 && isCrossed ? 1 : 0;
+      }
+      return count;
+    },
+    [](int a, int b) { return a + b; });
+}
+
 template void FaceTriangles(const ShadowMesh<float>& mesh, const glm::dvec4& light,
   CastingFaces which, std::vector<CastSign>& signs);
 template void FaceTriangles(const ShadowMesh<double>& mesh, const glm::dvec4& light,
@@ -290,5 +321,9 @@ template void EmitVolume(const ShadowMesh<float>& mesh, const std::vector<CastSi
   bool oneImage, VolumeIndices& indices);
 template void EmitVolume(const ShadowMesh<double>& mesh, const std::vector<CastSign>& signs,
   bool oneImage, VolumeIndices& indices);
+template int CountCrossed(const ShadowMesh<float>& mesh, const std::vector<CastSign>& signs,
+  const glm::dvec4& light, const glm::dvec3& direction);
+template int CountCrossed(const ShadowMesh<double>& mesh, const std::vector<CastSign>& signs,
+  const glm::dvec4& light, const glm::dvec3& direction);
 
 }

@@ -76,6 +76,12 @@ template <typename Real>
 void EmitVolume(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, bool oneImage,
   VolumeIndices& indices);
 
+// How many casting triangles the ray from the light in `direction` crosses: in how many prisms the
+// point at infinity there lies. For a light with a position.
+template <typename Real>
+int CountCrossed(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs,
+  const glm::dvec4& light, const glm::dvec3& direction);
+
 }
 
 #endif

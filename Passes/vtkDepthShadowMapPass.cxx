@@ -1,5 +1,6 @@
 #include "vtkDepthShadowMapPass.h"
 
+#include "ShadowReach.h"
 #include "vtkDepthShadowMapPassLookup.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowOpenGL.h"
@@ -49,36 +50,6 @@ int TextureLimit()
 int LayerWidth(int resolution)
 {
   return std::min(resolution + PaddingTexels, TextureLimit());
-}
-
-// Whether the flat piece has every receiver on the light's side of its plane, or on it: then
-// nothing can lie in its shadow.
-bool CastsOnNothing(const vtkShadowScene::Piece& piece, const ShadowLight& light,
-  const std::vector<BoxCorners>& receivers)
-{
-  const glm::dvec3 normal(piece.PlaneWC);
-  if (normal == glm::dvec3(0.0))
-  {
-    return false;
-  }
-  const double height = light.kind == LightKind::Directional
-    ? -glm::dot(normal, light.direction)
-    : glm::dot(normal, light.position) - piece.PlaneWC.w;
-  for (const BoxCorners& corners : receivers)
-  {
-    for (const glm::dvec3& corner : corners)
-    {
-      // On the plane to the rounding of the floats that points are kept in.
-      const double side = glm::dot(normal, corner) - piece.PlaneWC.w;
-      const double rounding =
-        std::ldexp(std::max(glm::length(corner), std::abs(piece.PlaneWC.w)), -21);
-      if (side * (height > 0.0 ? 1.0 : -1.0) < -rounding)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 // A matrix as GLSL takes it.
@@ -269,7 +240,7 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
     const std::size_t before = casters.size();
     for (const vtkShadowScene::Piece& piece : props[i].Pieces)
     {
-      if (props[i].Casts && !CastsOnNothing(piece, light.Ray, receivers))
+      if (props[i].Casts && !vtkshadows::CastsOnNothing(piece.PlaneWC, light.Ray, receivers))
       {
         casters.push_back(piece.CornersWC);
       }

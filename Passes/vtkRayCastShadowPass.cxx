@@ -373,6 +373,7 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
   my.Tree = rtcNewScene(my.Device);
   rtcSetSceneFlags(my.Tree, RTC_SCENE_FLAG_ROBUST);
   my.PlaceFrame(*frame.Scene);
+  const glm::dmat4 worldFromTrace = glm::inverse(my.TraceFromWorld);
   this->NumberOfPrimitives = 0;
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
@@ -383,8 +384,8 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
       {
         continue;
       }
-      const vtkShadowCasterGeometry geometry =
-        vtkShadowCasterGeometry::Extract(piece, my.TraceFromWorld);
+      const vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
+        piece, my.TraceFromWorld * piece.WorldFromModel, worldFromTrace);
       this->NumberOfPrimitives +=
         static_cast<vtkIdType>(geometry.Triangles.size() + geometry.Spheres.size());
       skipped = geometry.Skipped.empty() ? skipped : geometry.Skipped;

@@ -229,7 +229,7 @@ void ClipBy(Geometry& out, const glm::dvec4& plane)
   out.Triangles.swap(kept);
 }
 
-void ClipByPlanes(Geometry& out, vtkMapper* mapper, const glm::dmat4& traceFromWorld)
+void ClipByPlanes(Geometry& out, vtkMapper* mapper, const glm::dmat4& worldFromTrace)
 {
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
@@ -238,9 +238,10 @@ void ClipByPlanes(Geometry& out, vtkMapper* mapper, const glm::dmat4& traceFromW
     planes->GetItem(i)->GetNormal(normal);
     planes->GetItem(i)->GetOrigin(origin);
     const glm::dvec3 n(normal[0], normal[1], normal[2]);
-    // traceFromWorld moves and scales, but does not turn: normals stay.
-    const glm::dvec3 p(traceFromWorld * glm::dvec4(origin[0], origin[1], origin[2], 1.0));
-    ClipBy(out, glm::dvec4(n, glm::dot(n, p)));
+    const double d = glm::dot(n, glm::dvec3(origin[0], origin[1], origin[2]));
+    // A plane is a row, (n, -d).
+    const glm::dvec4 row = glm::dvec4(n, -d) * worldFromTrace;
+    ClipBy(out, glm::dvec4(glm::dvec3(row), -row.w));
     if (!out.Spheres.empty())
     {
       out.Skipped = "clipping planes, which do not cut spheres here";
@@ -492,11 +493,10 @@ bool vtkShadowCasterGeometry::BoundsOf(vtkMapper* mapper, double bounds[6])
 }
 
 //------------------------------------------------------------------------------
-vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(
-  const vtkShadowScene::Piece& piece, const glm::dmat4& traceFromWorld)
+vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(const vtkShadowScene::Piece& piece,
+  const glm::dmat4& traceFromModel, const glm::dmat4& worldFromTrace)
 {
   Geometry out;
-  const glm::dmat4 traceFromModel = traceFromWorld * piece.WorldFromModel;
   auto* actor = vtkActor::SafeDownCast(piece.Prop);
   if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(piece.Mapper))
   {
@@ -519,6 +519,6 @@ vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(
     AppendTree(out, piece.Mapper->GetInputDataObject(0, 0), AttributesOf(piece.Mapper), true,
       traceFromModel);
   }
-  ClipByPlanes(out, piece.Mapper, traceFromWorld);
+  ClipByPlanes(out, piece.Mapper, worldFromTrace);
   return out;
 }

@@ -1,5 +1,5 @@
-// The surface of a caster as triangles and spheres, from VTK's mappers: what rays (and, later,
-// silhouettes) need and rasterised techniques do not.
+// The surface of a caster as triangles and spheres, from VTK's mappers: what rays and silhouettes
+// need and maps do not.
 #ifndef vtkShadowCasterGeometry_h
 #define vtkShadowCasterGeometry_h
 
@@ -23,9 +23,10 @@ struct vtkShadowCasterGeometry
   // those in cells.
   static bool BoundsOf(vtkMapper* mapper, double bounds[6]);
 
-  // Extract `piece`, in the space of `traceFromWorld` (so that floats are relative to the scene).
-  static vtkShadowCasterGeometry Extract(
-    const vtkShadowScene::Piece& piece, const glm::dmat4& traceFromWorld);
+  // Extract `piece`, in a space of the caller's (so that floats are relative to the scene, or the
+  // caster); worldFromTrace is needed only where the mapper has clipping planes.
+  static vtkShadowCasterGeometry Extract(const vtkShadowScene::Piece& piece,
+    const glm::dmat4& traceFromModel, const glm::dmat4& worldFromTrace);
 };
 
 #endif

@@ -19,6 +19,8 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   , ScissorTest(State, GL_SCISSOR_TEST)
   , DepthTest(State, GL_DEPTH_TEST)
   , Blend(State, GL_BLEND)
+  , BlendFunc(State)
+  , StencilTest(State, GL_STENCIL_TEST)
   , CullFace(State, GL_CULL_FACE)
   , Width(depth.Width())
   , Height(depth.Height())
@@ -27,7 +29,9 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   this->State->PushFramebufferBindings();
   glGenFramebuffers(1, &this->Framebuffer);
   this->State->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.Id(), 0, depthLayer);
+  glFramebufferTextureLayer(GL_FRAMEBUFFER,
+    depth.HasStencil() ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth.Id(), 0,
+    depthLayer);
   GLenum target = colour ? GL_COLOR_ATTACHMENT0 : GL_NONE;
   if (colour)
   {
@@ -40,6 +44,7 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   this->State->vtkglViewport(0, 0, this->Width, this->Height);
   this->State->vtkglDisable(GL_SCISSOR_TEST);
   this->State->vtkglDisable(GL_BLEND);
+  this->State->vtkglDisable(GL_STENCIL_TEST);
   this->State->vtkglEnable(GL_DEPTH_TEST);
   this->State->vtkglDepthFunc(GL_LEQUAL);
   this->State->vtkglDepthMask(GL_TRUE);

@@ -41,6 +41,8 @@ private:
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   vtkOpenGLState::ScopedglEnableDisable DepthTest;
   vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglEnableDisable StencilTest;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
   int Width;
   int Height;

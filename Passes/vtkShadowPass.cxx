@@ -6,6 +6,7 @@
 #include "vtkShadowReceiverBuffer.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowedShadingPass.h"
+#include "vtkStencilShadowVolumePass.h"
 #ifdef VTKSHADOWS_WITH_EMBREE
 #include "vtkRayCastShadowPass.h"
 #endif
@@ -296,6 +297,7 @@ vtkShadowPass::vtkShadowPass()
   : Internal(new Internals)
 {
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkDepthShadowMapPass::New()));
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkStencilShadowVolumePass::New()));
 #ifdef VTKSHADOWS_WITH_EMBREE
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkRayCastShadowPass::New()));
 #endif
@@ -503,6 +505,12 @@ vtkShadowTechniquePass* vtkShadowPass::GetTechniquePass(const std::string& name)
 vtkDepthShadowMapPass* vtkShadowPass::GetDepthShadowMapPass()
 {
   return vtkDepthShadowMapPass::SafeDownCast(this->Internal->Find("depth-map"));
+}
+
+//------------------------------------------------------------------------------
+vtkStencilShadowVolumePass* vtkShadowPass::GetStencilShadowVolumePass()
+{
+  return vtkStencilShadowVolumePass::SafeDownCast(this->Internal->Find("stencil-volume"));
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,7 @@ class vtkRayCastShadowPass;
 class vtkRenderer;
 class vtkShadowScene;
 class vtkShadowTechniquePass;
+class vtkStencilShadowVolumePass;
 class vtkStringArray;
 
 class VTKSHADOWSPASSES_EXPORT vtkShadowPass : public vtkRenderPass
@@ -71,7 +72,8 @@ public:
 
   ///@{
   /**
-   * Technique of every light that has none of its own: "depth-map" (default), "ray-cast" or "none"
+   * Technique of every light that has none of its own: "depth-map" (default), "stencil-volume", "ray-cast" or
+   * "none"
    * (every light lit). An unknown name is an error that lists the known ones, and changes nothing.
    */
   bool SetTechnique(const std::string& name);
@@ -120,6 +122,7 @@ public:
    * The techniques' own settings. GetRayCastShadowPass is nullptr in a build without Embree.
    */
   vtkDepthShadowMapPass* GetDepthShadowMapPass();
+  vtkStencilShadowVolumePass* GetStencilShadowVolumePass();
   vtkRayCastShadowPass* GetRayCastShadowPass();
   vtkShadowTechniquePass* GetTechniquePass(const std::string& name);
   ///@}

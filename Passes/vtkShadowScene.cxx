@@ -156,38 +156,42 @@ void Append(std::vector<std::uint64_t>& signature, T value)
   signature.push_back(bits);
 }
 
-std::vector<std::uint64_t> SignatureOf(const Scene::Piece& piece)
+std::vector<std::uint64_t> ShapeOf(const Scene::Piece& piece)
 {
-  std::vector<std::uint64_t> signature;
-  Append(signature, piece.Prop);
-  Append(signature, piece.Mapper);
-  Append(signature, ShapeMTime(piece.Mapper));
+  std::vector<std::uint64_t> shape;
+  Append(shape, piece.Prop);
+  Append(shape, piece.Mapper);
+  Append(shape, ShapeMTime(piece.Mapper));
   for (int port = 0; port < piece.Mapper->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < piece.Mapper->GetNumberOfInputConnections(port); ++i)
     {
       vtkDataObject* data = piece.Mapper->GetInputDataObject(port, i);
-      Append(signature, data);
-      Append(signature, data ? DeepMTime(data) : 0);
-    }
-  }
-  for (int column = 0; column < 4; ++column)
-  {
-    for (int row = 0; row < 4; ++row)
-    {
-      Append(signature, piece.WorldFromModel[column][row]);
+      Append(shape, data);
+      Append(shape, data ? DeepMTime(data) : 0);
     }
   }
   if (auto* actor = vtkActor::SafeDownCast(piece.Prop))
   {
     vtkProperty* property = actor->GetProperty();
-    Append(signature, property->GetRepresentation());
-    Append(signature, property->GetLineWidth());
-    Append(signature, property->GetPointSize());
-    Append(signature, property->GetEdgeVisibility());
-    Append(signature, actor->GetShaderProperty()->GetMTime());
+    Append(shape, property->GetRepresentation());
+    Append(shape, property->GetLineWidth());
+    Append(shape, property->GetPointSize());
+    Append(shape, property->GetEdgeVisibility());
+    Append(shape, actor->GetShaderProperty()->GetMTime());
   }
-  return signature;
+  return shape;
+}
+
+void AppendMatrix(std::vector<std::uint64_t>& signature, const glm::dmat4& matrix)
+{
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      Append(signature, matrix[column][row]);
+    }
+  }
 }
 
 bool HasKey(vtkProp* prop, vtkInformationIntegerKey* key)
@@ -340,7 +344,13 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
   {
     piece.PlaneWC = TransformPlane(piece.WorldFromModel, planeMC);
   }
-  piece.Signature = SignatureOf(piece);
+  piece.Shape = ShapeOf(piece);
+  if (mapper->GetClippingPlanes())
+  {
+    AppendMatrix(piece.Shape, piece.WorldFromModel); // they cut it in the world
+  }
+  piece.Signature = piece.Shape;
+  AppendMatrix(piece.Signature, piece.WorldFromModel);
   prop.Impostors = prop.Impostors || DrawsImpostors(piece);
   prop.Pieces.push_back(std::move(piece));
 }

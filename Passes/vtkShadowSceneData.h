@@ -34,7 +34,9 @@ struct vtkShadowScene::Piece
   vtkshadows::BoxCorners CornersWC;
   // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
   glm::dvec4 PlaneWC{ 0.0 };
-  // Changes exactly when what the piece casts changes.
+  // Changes exactly when the piece's shape changes, in model coordinates.
+  std::vector<std::uint64_t> Shape;
+  // Shape and place: changes exactly when what the piece casts changes.
   std::vector<std::uint64_t> Signature;
 };
 

@@ -21,6 +21,10 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
   {
     case vtkShadowTextureArray::Format::Depth32F:
       return { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
+    case vtkShadowTextureArray::Format::Depth24Stencil8:
+      return { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
+    case vtkShadowTextureArray::Format::R32F:
+      return { GL_R32F, GL_RED, GL_FLOAT };
     case vtkShadowTextureArray::Format::RGBA32F:
       return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
     default:

@@ -13,8 +13,10 @@ class vtkShadowTextureArray
 public:
   enum class Format
   {
-    Depth32F, // one float, 0 nearest .. 1 farthest
+    Depth32F,        // one float, 0 nearest .. 1 farthest
+    Depth24Stencil8, // depth in 24 bits, and 8 of stencil
     RGBA32F,
+    R32F,
     R8 // 0..255 read as 0..1
   };
 
@@ -36,6 +38,8 @@ public:
   int Unit() const { return this->TextureUnit; }
 
   void Release();
+
+  bool HasStencil() const { return this->TexelFormat == Format::Depth24Stencil8; }
 
   unsigned int Id() const { return this->Texture; }
   int Width() const { return this->Size[0]; }

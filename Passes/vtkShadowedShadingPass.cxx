@@ -277,6 +277,21 @@ void vtkShadowedShadingPass::DrawReceivers(const vtkShadowFrame& frame, Stage st
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowedShadingPass::DrawDepths(
+  const vtkShadowFrame& frame, const vtkshadows::LightView* view)
+{
+  const vtkSmartPointer<vtkCamera> eye = frame.Renderer->GetActiveCamera();
+  if (view)
+  {
+    this->CasterCamera->SetView(*view);
+    this->CasterCamera->SetParallelProjection(eye->GetParallelProjection());
+    frame.Renderer->SetActiveCamera(this->CasterCamera);
+  }
+  this->DrawReceivers(frame, DEPTHS);
+  frame.Renderer->SetActiveCamera(eye);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowedShadingPass::Declarations() const
 {
   if (this->CurrentStage == POSITIONS)
@@ -411,7 +426,7 @@ std::string vtkShadowedShadingPass::OutputCode(
 bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, std::string&,
   std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  if (this->CurrentStage == CASTERS)
+  if (this->DrawsDepthAlone())
   {
     // Depth alone, by a program of its own: without lighting there are no normals to interpolate,
     // and without a transparent colour nothing to discard but what a texture with holes discards.
@@ -459,7 +474,7 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
 bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  if (this->CurrentStage == CASTERS)
+  if (this->DrawsDepthAlone())
   {
     return true;
   }
@@ -511,6 +526,11 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     // and must not be: this camera is not the eye.
     this->State->vtkglDisable(GL_CULL_FACE);
     this->State->vtkglDepthMask(GL_TRUE);
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
+    return true;
+  }
+  if (this->CurrentStage == DEPTHS)
+  {
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;
   }

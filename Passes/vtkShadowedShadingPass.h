@@ -57,6 +57,7 @@ public:
   {
     SHADE,     // the frame
     CASTERS,   // depth from a light
+    DEPTHS,    // depth from the eye
     POSITIONS, // the receivers' positions and normals
     VISIBILITY // the visibility of one light
   };
@@ -84,6 +85,8 @@ public:
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view);
   void DrawReceivers(const vtkShadowFrame& frame, Stage stage);
+  // The depth of what is opaque, in the eye's view; with another projection if `view` is given.
+  void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView* view);
 
   // The light that VISIBILITY shows.
   void SetShownLight(int light)
@@ -117,6 +120,7 @@ private:
   void AttachTo(vtkProp* prop, bool receives);
   void SetStage(Stage stage);
   bool IsReceiver(vtkProp* prop) const;
+  bool DrawsDepthAlone() const { return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS; }
 
   std::vector<LightPlan> Plan;
   std::vector<vtkShadowTechniquePass*> Techniques; // of the plan, each once

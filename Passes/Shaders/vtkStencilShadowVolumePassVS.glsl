@@ -1,0 +1,40 @@
+//VTK::System::Dec
+// A vertex of a shadow volume: 2 * point, or 2 * point + 1 for the point's image at the far end. Spaces: TC the
+// caster's own, clip the eye's.
+
+uniform samplerBuffer shadowPointsTC;
+uniform mat4 shadowClipFromCaster;
+uniform vec4 shadowLightTC;    // a position and 1, or the direction toward the light and 0
+uniform vec4 shadowFarPlaneTC; // n.x = w, where images lie; n = 0: at infinity
+uniform int shadowAllAreImages;
+
+// The plane that a cap is thrown on, and 1 or -1 for the light's side of it; 0 to throw it on none.
+uniform vec4 shadowNearPlaneTC;
+uniform int shadowNearSide;
+
+vec4 shadowImage(vec3 p)
+{
+  vec3 along = p * shadowLightTC.w - shadowLightTC.xyz;
+  float steepness = dot(shadowFarPlaneTC.xyz, along);
+  return steepness > 0.0
+    ? vec4(p + along * ((shadowFarPlaneTC.w - dot(shadowFarPlaneTC.xyz, p)) / steepness), 1.0)
+    : vec4(along, 0.0);
+}
+
+void main()
+{
+  vec3 p = texelFetch(shadowPointsTC, gl_VertexID / 2).xyz;
+  if (shadowNearSide != 0)
+  {
+    // As the light throws it (Blinn 1988); only what lies between light and plane.
+    float ofLight = dot(shadowNearPlaneTC, shadowLightTC), ofPoint = dot(shadowNearPlaneTC, vec4(p, 1.0));
+    vec4 thrown = ofLight * vec4(p, 1.0) - ofPoint * shadowLightTC;
+    vec4 clip = shadowClipFromCaster * (thrown * float(shadowNearSide));
+    gl_ClipDistance[0] = ofPoint * float(shadowNearSide);
+    gl_Position = vec4(clip.xy, -clip.w, clip.w);
+    return;
+  }
+  bool isImage = shadowAllAreImages != 0 || (gl_VertexID & 1) != 0;
+  gl_ClipDistance[0] = 1.0;
+  gl_Position = shadowClipFromCaster * (isImage ? shadowImage(p) : vec4(p, 1.0));
+}

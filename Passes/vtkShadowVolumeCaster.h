@@ -1,0 +1,92 @@
+// One caster of shadow volumes: its mesh, built once a shape; its points with the driver; and one
+// volume a light, built again only when the light moved relative to it.
+//
+// All in the caster's own coordinates (TC): its model's, relative to the centre and size of its
+// bounds there, so that an actor that moves changes nothing but where the light is.
+#ifndef vtkShadowVolumeCaster_h
+#define vtkShadowVolumeCaster_h
+
+#include "ShadowVolume.h"
+#include "vtkShadowSceneData.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkWeakPointer.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkShadowVolumeCaster
+{
+public:
+  vtkShadowVolumeCaster() = default;
+  ~vtkShadowVolumeCaster();
+  vtkShadowVolumeCaster(const vtkShadowVolumeCaster&) = delete;
+  void operator=(const vtkShadowVolumeCaster&) = delete;
+
+  // Follow `piece`; true if its mesh was built anew. The window's context must be current.
+  bool Update(vtkOpenGLRenderWindow* window, const vtkShadowScene::Piece& piece);
+
+  // Why the whole caster is left out, or what of it; empty: nothing.
+  const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetSkipped() const { return this->Skipped; }
+  bool IsEmpty() const { return this->Mesh.triangles.empty(); }
+
+  const glm::dmat4& GetWorldFromCaster() const { return this->WorldFromCaster; }
+  bool IsMirrored() const { return this->Mirrored; }
+  const vtkshadows::ShadowMesh<float>& GetMesh() const { return this->Mesh; }
+
+  // A part of a volume's index buffer.
+  struct Section
+  {
+    std::size_t First = 0;
+    std::size_t Count = 0;
+  };
+  struct Volume
+  {
+    bool Built = false;
+    glm::dvec4 LightTC{ 0.0 };
+    bool OneImage = false;
+    vtkshadows::CastingFaces Faces = vtkshadows::CastingFaces::Closed;
+    Section Singles, Doubles, Caps, TurnedCaps;
+    unsigned int Buffer = 0;
+    std::size_t Bytes = 0;
+  };
+
+  // The light in the caster's coordinates.
+  glm::dvec4 ToCaster(const glm::dvec4& lightWC) const;
+
+  // The volume of light number `slot`; `built` counts those that had to be made.
+  const Volume& UpdateVolume(std::size_t slot, const glm::dvec4& lightWC, bool oneImage,
+    vtkshadows::CastingFaces faces, vtkIdType& built);
+
+  // How many casting triangles a ray from the light in `directionWC` crosses: in how many volumes
+  // the point at infinity there lies.
+  int CountAtInfinity(
+    const glm::dvec4& lightWC, const glm::dvec3& directionWC, vtkshadows::CastingFaces faces) const;
+
+  // Attach the points to the active texture unit.
+  void BindPoints() const;
+
+  std::size_t MemoryInBytes() const;
+  void Release();
+
+  // Set by who keeps casters, to drop those that are gone.
+  bool Used = false;
+
+private:
+  void Rebuild(const vtkShadowScene::Piece& piece);
+  void UploadPoints();
+
+  std::vector<std::uint64_t> Shape;
+  std::string Fault, Skipped;
+  vtkshadows::ShadowMesh<float> Mesh;
+  glm::dmat4 ModelFromCaster{ 1.0 }, WorldFromCaster{ 1.0 };
+  bool Mirrored = false;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  unsigned int PointBuffer = 0, PointTexture = 0;
+  std::vector<Volume> Volumes; // by slot
+};
+
+#endif

@@ -1,0 +1,407 @@
+#include "vtkStencilShadowVolumePass.h"
+
+#include "LightSamples.h"
+#include "ShadowReach.h"
+#include "vtkShadowMatrix.h"
+#include "vtkShadowSceneData.h"
+#include "vtkShadowVolumeCaster.h"
+#include "vtkShadowVolumeCounter.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <map>
+
+vtkStandardNewMacro(vtkStencilShadowVolumePass);
+
+namespace
+{
+
+using vtkshadows::CastingFaces;
+using Rule = vtkShadowVolumeCounter::Rule;
+
+// Whether the eye sees every triangle of the piece, from either side, so that a shadow starts
+// nowhere but on what is drawn.
+bool IsDrawnWhole(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece& piece)
+{
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  if (!actor || prop.Translucent || actor->GetTexture())
+  {
+    return false;
+  }
+  vtkProperty* property = actor->GetProperty();
+  return !property->GetBackfaceCulling() && !property->GetFrontfaceCulling() &&
+    property->GetAllTextures().empty();
+}
+
+// A projection with its far plane at infinity: z becomes 1 - 2n / depth (Everitt and Kilgard 2002).
+glm::dmat4 WithInfiniteFarPlane(glm::dmat4 clipFromView)
+{
+  const double nearPlane = clipFromView[3][2] / (clipFromView[2][2] - 1.0);
+  clipFromView[2][2] = -1.0;
+  clipFromView[3][2] = -2.0 * nearPlane;
+  return clipFromView;
+}
+
+struct Caster
+{
+  const vtkShadowScene::Prop* Prop = nullptr;
+  const vtkShadowScene::Piece* Piece = nullptr;
+  vtkShadowVolumeCaster* Geometry = nullptr;
+  bool DrawnWhole = false;
+};
+
+}
+
+//------------------------------------------------------------------------------
+class vtkStencilShadowVolumePass::Internals
+{
+public:
+  std::map<std::pair<vtkProp*, vtkMapper*>, vtkShadowVolumeCaster> Known;
+  std::vector<Caster> Casters; // of this frame
+  std::vector<vtkshadows::BoxCorners> Receivers;
+  vtkshadows::Box ReceiverBox;
+  vtkShadowVolumeCounter Counter;
+  vtkShadowVolumeCounter::Eye Eye;
+  bool Parallel = false;
+  glm::dvec3 ForwardWC{ 0.0, 0.0, -1.0 };
+  vtkShadowTextureArray Masks;
+  std::vector<float> Counts;
+  int CountSize[2] = { 0, 0 };
+  bool KeepsCounts = false;
+
+  void GatherReceivers(const vtkShadowScene& scene);
+  vtkshadows::LightView SetEye(const vtkShadowFrame& frame, bool infinite);
+};
+
+//------------------------------------------------------------------------------
+void vtkStencilShadowVolumePass::Internals::GatherReceivers(const vtkShadowScene& scene)
+{
+  this->Receivers.clear();
+  this->ReceiverBox = {};
+  for (const vtkShadowScene::Prop& prop : scene.GetProps())
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      if (prop.Receives)
+      {
+        this->Receivers.push_back(piece.CornersWC);
+        this->ReceiverBox.Add(piece.CornersWC);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkshadows::LightView vtkStencilShadowVolumePass::Internals::SetEye(
+  const vtkShadowFrame& frame, bool infinite)
+{
+  vtkCamera* camera = frame.Renderer->GetActiveCamera();
+  this->Parallel = camera->GetParallelProjection() != 0;
+  vtkshadows::LightView view;
+  view.parallel = this->Parallel;
+  view.viewFromWorld = frame.ViewFromWorld;
+  view.clipFromView = vtkShadowMatrix::ToGlm(camera->GetProjectionTransformMatrix(
+    frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const bool isInfinite = infinite && !this->Parallel;
+  if (isInfinite)
+  {
+    view.clipFromView = WithInfiniteFarPlane(view.clipFromView);
+  }
+  this->Eye.ClipFromWorld = view.clipFromView * view.viewFromWorld;
+  this->Eye.NearPlaneWC =
+    glm::row(this->Eye.ClipFromWorld, 3) + glm::row(this->Eye.ClipFromWorld, 2);
+  this->Eye.UsesDepthClamp = !isInfinite;
+  this->ForwardWC = -glm::dvec3(glm::row(view.viewFromWorld, 2));
+  return view;
+}
+
+//------------------------------------------------------------------------------
+vtkStencilShadowVolumePass::vtkStencilShadowVolumePass()
+  : Internal(new Internals)
+{
+}
+
+vtkStencilShadowVolumePass::~vtkStencilShadowVolumePass() = default;
+
+//------------------------------------------------------------------------------
+void vtkStencilShadowVolumePass::SetVariant(int variant)
+{
+  if (variant < AUTOMATIC || variant > PARITY)
+  {
+    vtkErrorMacro("Variant " << variant
+                             << " is none of vtkStencilShadowVolumePass::VariantType (0 to "
+                             << PARITY << "). It stays " << this->Variant << ".");
+    return;
+  }
+  if (variant != this->Variant)
+  {
+    this->Variant = variant;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Bring every caster's mesh up to date, and drop those that are gone.
+void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
+{
+  Internals& my = *this->Internal;
+  my.Casters.clear();
+  for (auto& known : my.Known)
+  {
+    known.second.Used = false;
+  }
+  for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
+  {
+    std::string fault, skipped;
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      if (!prop.Casts)
+      {
+        continue;
+      }
+      vtkShadowVolumeCaster& caster = my.Known[{ piece.Prop, piece.Mapper }];
+      caster.Used = true;
+      this->NumberOfMeshBuilds += caster.Update(frame.Window, piece) ? 1 : 0;
+      fault = caster.GetFault().empty() ? fault : caster.GetFault();
+      skipped = caster.GetSkipped().empty() ? skipped : caster.GetSkipped();
+      if (caster.GetFault().empty() && !caster.IsEmpty())
+      {
+        my.Casters.push_back({ &prop, &piece, &caster, IsDrawnWhole(prop, piece) });
+      }
+    }
+    std::ostringstream message;
+    if (!fault.empty())
+    {
+      message << "The caster " << prop.Source->GetClassName() << " (" << prop.Source << ") has "
+              << fault << ": it casts no shadow. Repair it, or clean its input.";
+    }
+    else if (!skipped.empty())
+    {
+      message << "The caster " << prop.Source->GetClassName() << " (" << prop.Source << ") has "
+              << skipped
+              << ": shadow volumes have none of that. Use \"depth-map\", or give it a surface "
+                 "(vtkTubeFilter, vtkGlyph3DMapper).";
+    }
+    this->WarnOnce(prop.Source, message.str());
+  }
+  for (auto it = my.Known.begin(); it != my.Known.end();)
+  {
+    it = it->second.Used ? std::next(it) : my.Known.erase(it);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkStencilShadowVolumePass::UpdateVisibility(
+  const vtkShadowFrame& frame, const std::vector<int>& lights)
+{
+  Internals& my = *this->Internal;
+  this->NumberOfZPassCasters = 0;
+  this->NumberOfZFailCasters = 0;
+  this->NumberOfCulledCasters = 0;
+  my.Counter.NumberOfTriangles = 0;
+
+  const auto& sceneLights = frame.Scene->GetLights();
+  const bool anySoft = std::any_of(
+    lights.begin(), lights.end(), [&](int i) { return sceneLights[i].Ray.radius > 0.0; });
+  my.Masks.Reserve(frame.Window, vtkShadowTextureArray::Format::R8, frame.Size[0], frame.Size[1],
+    static_cast<int>(lights.size()));
+  my.GatherReceivers(*frame.Scene);
+  this->UpdateCasters(frame);
+  const vtkshadows::LightView view = my.SetEye(frame, this->InfiniteProjection);
+  if (!my.Masks.Id() || !my.Counter.Reserve(frame, this->StencilCounter, anySoft) ||
+    !my.Counter.DrawReceivers(frame, my.Eye.UsesDepthClamp ? nullptr : &view))
+  {
+    this->WarnOnce(this,
+      "The driver cannot hold depths and counts of " + std::to_string(frame.Size[0]) + " x " +
+        std::to_string(frame.Size[1]) + " pixels and " + std::to_string(lights.size()) +
+        " masks: their lights are lit. Use a smaller window or fewer lights.");
+    return false;
+  }
+  this->WarnOnce(this, "");
+
+  const bool parity = this->Variant == PARITY;
+  for (std::size_t slot = 0; slot < lights.size(); ++slot)
+  {
+    const vtkshadows::ShadowLight& light = sceneLights[lights[slot]].Ray;
+    const int layer = static_cast<int>(slot);
+    if (!(light.radius > 0.0))
+    {
+      this->CountVolumes(frame, light, slot);
+      my.Counter.Resolve(frame, my.Masks, layer, parity);
+      continue;
+    }
+    const glm::dvec3 centreWC = 0.5 * (my.ReceiverBox.minimum + my.ReceiverBox.maximum);
+    const std::vector<vtkshadows::ShadowLight> samples =
+      vtkshadows::SampleAreaLight(light, this->LightSamples, centreWC);
+    my.Counter.ClearSum(frame);
+    for (const vtkshadows::ShadowLight& sample : samples)
+    {
+      this->CountVolumes(frame, sample, slot);
+      my.Counter.AddToSum(frame, 1.0f / static_cast<float>(samples.size()), parity);
+    }
+    my.Counter.ResolveSum(frame, my.Masks, layer);
+  }
+  this->NumberOfFaces = static_cast<vtkIdType>(my.Counter.NumberOfTriangles);
+  if (my.KeepsCounts)
+  {
+    my.Counter.ReadCounts(frame, my.Counts);
+    my.CountSize[0] = frame.Size[0];
+    my.CountSize[1] = frame.Size[1];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkStencilShadowVolumePass::CountVolumes(
+  const vtkShadowFrame& frame, const vtkshadows::ShadowLight& light, std::size_t slot)
+{
+  Internals& my = *this->Internal;
+  const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
+  const CastingFaces faces =
+    this->OneSidedClosedPieces ? CastingFaces::Closed : CastingFaces::All;
+
+  std::vector<vtkShadowVolumeCounter::Draw> draws;
+  int start = 0;
+  for (const Caster& caster : my.Casters)
+  {
+    const vtkshadows::BoxCorners& corners = caster.Piece->CornersWC;
+    if (this->Culling &&
+      (!vtkshadows::ShadowMayBeSeen(my.Eye.ClipFromWorld, lightWC, corners) ||
+        !vtkshadows::ShadowMayReach(my.ReceiverBox, lightWC, corners) ||
+        vtkshadows::CastsOnNothing(caster.Piece->PlaneWC, light, my.Receivers)))
+    {
+      ++this->NumberOfCulledCasters;
+      continue;
+    }
+    vtkShadowVolumeCounter::Draw draw;
+    draw.Caster = caster.Geometry;
+    draw.LightWC = lightWC;
+    switch (this->Variant)
+    {
+      case Z_FAIL:
+        draw.Faces = Rule::Fail;
+        break;
+      case Z_PASS:
+      case PARITY:
+        draw.Faces = Rule::Pass;
+        break;
+      case Z_PASS_CAPPED:
+        draw.Faces = Rule::PassCapped;
+        break;
+      default:
+        draw.Faces = caster.DrawnWhole &&
+            !vtkshadows::NearPlaneMayBeShadowed(my.Eye.ClipFromWorld, lightWC, corners)
+          ? Rule::Pass
+          : Rule::Fail;
+    }
+    ++(draw.Faces == Rule::Fail ? this->NumberOfZFailCasters : this->NumberOfZPassCasters);
+
+    if (this->Confinement || my.Parallel)
+    {
+      draw.FarPlaneWC = vtkshadows::FarPlane(lightWC, corners, my.ReceiverBox);
+    }
+    if (this->Confinement)
+    {
+      draw.Bounds =
+        vtkshadows::BoundsInView(my.Eye.ClipFromWorld, lightWC, corners, draw.FarPlaneWC);
+    }
+    // All images of a directional light are one point at infinity, which closes a volume by itself.
+    const bool toInfinity = glm::dvec3(draw.FarPlaneWC) == glm::dvec3(0.0);
+    const bool oneImage = toInfinity && light.kind == vtkshadows::LightKind::Directional;
+    draw.FarCaps = !oneImage;
+    if (toInfinity && !oneImage && my.Parallel && draw.Faces == Rule::Fail)
+    {
+      // Parallel rays of the eye all end in one point at infinity, which no cap there can cover.
+      draw.FarCaps = false;
+      start += caster.Geometry->CountAtInfinity(lightWC, my.ForwardWC, faces);
+    }
+    draw.Volume =
+      &caster.Geometry->UpdateVolume(slot, lightWC, oneImage, faces, this->NumberOfVolumeBuilds);
+    draws.push_back(draw);
+  }
+
+  if (!my.Counter.Begin(frame, my.Eye, start))
+  {
+    return false;
+  }
+  for (const vtkShadowVolumeCounter::Draw& draw : draws)
+  {
+    my.Counter.Add(draw);
+  }
+  my.Counter.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkStencilShadowVolumePass::GetCounts(vtkImageData* counts)
+{
+  return counts != nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkStencilShadowVolumePass::GetMemoryInBytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& known : this->Internal->Known)
+  {
+    bytes += known.second.MemoryInBytes();
+  }
+  return static_cast<vtkIdType>(bytes);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkStencilShadowVolumePass::GetNumberOfTriangles() const
+{
+  std::size_t triangles = 0;
+  for (const auto& known : this->Internal->Known)
+  {
+    triangles += known.second.GetMesh().NumberOfTriangles();
+  }
+  return static_cast<vtkIdType>(triangles);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTextureArray* vtkStencilShadowVolumePass::GetTextures()
+{
+  return &this->Internal->Masks;
+}
+
+//------------------------------------------------------------------------------
+void vtkStencilShadowVolumePass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  this->Internal->Masks.Release();
+  this->Internal->Counter.Release();
+  this->Internal->Known.clear();
+  this->Superclass::ReleaseGraphicsResources(w);
+}
+
+//------------------------------------------------------------------------------
+void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Variant: " << this->Variant << "\n";
+  os << indent << "StencilCounter: " << this->StencilCounter << "\n";
+  os << indent << "OneSidedClosedPieces: " << this->OneSidedClosedPieces << "\n";
+  os << indent << "Culling: " << this->Culling << "\n";
+  os << indent << "Confinement: " << this->Confinement << "\n";
+  os << indent << "InfiniteProjection: " << this->InfiniteProjection << "\n";
+  os << indent << "LightSamples: " << this->LightSamples << "\n";
+  os << indent << "NumberOfMeshBuilds: " << this->NumberOfMeshBuilds << "\n";
+  os << indent << "NumberOfVolumeBuilds: " << this->NumberOfVolumeBuilds << "\n";
+  os << indent << "NumberOfZPassCasters: " << this->NumberOfZPassCasters << "\n";
+  os << indent << "NumberOfZFailCasters: " << this->NumberOfZFailCasters << "\n";
+  os << indent << "NumberOfCulledCasters: " << this->NumberOfCulledCasters << "\n";
+  os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
+}
