@@ -19,6 +19,7 @@ import argparse
 import collections
 import faulthandler
 import fnmatch
+import itertools
 import json
 import math
 import pathlib
@@ -31,7 +32,15 @@ import time
 import meshes
 import numpy
 import vtkshadows
-from ground_floor import actor_of, directional_light, floor_actor, place_camera, size_of, spot_light, write_png
+from ground_floor import (
+    actor_of,
+    directional_light,
+    floor_actor,
+    place_camera,
+    size_of,
+    spot_light,
+    write_png,
+)
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
@@ -43,6 +52,9 @@ GROSS_PER_CASE_LIMIT = 5
 MISMATCH_MEAN_LIMIT = 0.005  # %
 MISMATCH_MAX_LIMIT = 0.1  # %
 BOUND_TECHNIQUE = "stencil-volume"
+
+# Share of a case's pixels, above which it is told that its truth was uncertain there: they count nowhere.
+UNCERTAIN_LIMIT = 0.01
 
 LIGHTS = ("directional", "point-outside", "point-inside")
 VIEW_ANGLE = 30  # degrees, vertical
@@ -153,8 +165,7 @@ class Stage:
 
     def _place_camera(self, light, lot, aspect):
         """From where the mesh is whole in view, and its shadow as far as the floor goes."""
-        corners = numpy.array([[pick[axis][(k >> axis) & 1] for axis in range(3)]
-                               for k in range(8) for pick in [tuple(zip(self.low, self.high))]])
+        corners = numpy.array(list(itertools.product(*zip(self.low, self.high))))
         seen = numpy.concatenate((corners, self._shadow(light, corners)))
         focus = (seen.min(axis=0) + seen.max(axis=0)) / 2
         toward = from_angles(lot.uniform(0, 360), lot.uniform(10, 65))
@@ -250,7 +261,7 @@ class Zoo:
 
     def _measure_case(self, stage, case):
         light = stage.show(case, self._aspect())
-        print(f"{stage.name:34} {stage.triangles:8} {case.light:13} {case.view:4} ", end="", flush=True)
+        print(f"{stage.name:34} {stage.triangles:9} {case.light:13} {case.view:4} ", end="", flush=True)
         if light is None:
             self.left_out.append(case)
             print("left out: the light is in the flat mesh's plane", flush=True)
@@ -302,13 +313,17 @@ def gross_of(row):
     return row["gross_false_pixels"] + row["gross_missed_pixels"]
 
 
+def is_hardly_measured(row):
+    return row["uncertain_pixels"] >= UNCERTAIN_LIMIT * (row["receiver_pixels"] + row["uncertain_pixels"])
+
+
 def figures_of(row):
     gross = f"{row['gross_false_pixels']} + {row['gross_missed_pixels']}"
     return (f"{row['mismatch_percent']:10.4f} {gross:>15} {row['uncertain_pixels']:9} "
             f"{row['receiver_pixels']:9} {row['seconds']:7.2f}")
 
 
-HEADER = (f"{'mesh':34} {'triangles':>8} {'light':13} view {'mismatch %':>10} {'gross f. + m.':>15} "
+HEADER = (f"{'mesh':34} {'triangles':>9} {'light':13} view {'mismatch %':>10} {'gross f. + m.':>15} "
           f"{'uncertain':>9} {'receivers':>9} {'seconds':>7}")
 
 
@@ -336,6 +351,7 @@ def summary_of(zoo):
         "mismatch_mean_percent": statistics.fmean(mismatches),
         "mismatch_max_percent": max(mismatches),
         "cases_over_gross_limit": sum(gross_of(row) > GROSS_PER_CASE_LIMIT for row in rows),
+        "cases_hardly_measured": sum(is_hardly_measured(row) for row in rows),
     }
 
 
@@ -359,11 +375,22 @@ def print_summary(zoo, summary, worst, seconds):
     print(f"receiver pixels {summary['receiver_pixels']}, uncertain {summary['uncertain_pixels']}")
     print(f"gross false {summary['gross_false_pixels']}, missed {summary['gross_missed_pixels']}: "
           f"{summary['gross_per_million']:.3f} per million receiver pixels")
-    print(f"mismatch mean {summary['mismatch_mean_percent']:.5f} %, max {summary['mismatch_max_percent']:.4f} %")
-    print(f"cases with gross above {GROSS_PER_CASE_LIMIT}: {summary['cases_over_gross_limit']}")
-    print(f"\nThe {len(worst)} worst:\n{HEADER}")
-    for row in worst:
-        print(f"{row['mesh']:34} {row['triangles']:8} {row['light']:13} {row['view']:4} {figures_of(row)}")
+    print(f"mismatch mean {summary['mismatch_mean_percent']:.5f} %, "
+          f"max {summary['mismatch_max_percent']:.4f} %")
+    print(f"cases with gross above {GROSS_PER_CASE_LIMIT}: {summary['cases_over_gross_limit']}; "
+          f"hardly measured: {summary['cases_hardly_measured']}")
+    for name, reason in zoo.skipped.items():
+        print(f"skipped {name}: {reason}")
+    print_rows(f"Hardly measured, the truth being uncertain in {UNCERTAIN_LIMIT:.0%} of the pixels or more",
+               filter(is_hardly_measured, zoo.rows))
+    print_rows(f"The {len(worst)} worst", worst)
+
+
+def print_rows(title, rows):
+    lines = [f"{row['mesh']:34} {row['triangles']:9} {row['light']:13} {row['view']:4} {figures_of(row)}"
+             for row in rows]
+    if lines:
+        print("\n".join([f"\n{title}:", HEADER, *lines]))
 
 
 def options_of(arguments):

@@ -4,6 +4,7 @@ A mesh is a vtkPolyData as its file has it: no welding, no triangulation, no nor
 """
 import math
 import pathlib
+import re
 
 import numpy
 from vtkmodules.util.misc import calldata_type
@@ -33,6 +34,8 @@ def read_mesh(path):
     mesh = _READERS[kind](path)
     if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
         points, lines = mesh.GetNumberOfPoints(), mesh.GetNumberOfLines()
+        if points + lines == 0:
+            raise ValueError(f"{path}: nothing in it could be read")
         raise NoSurface(f"it has no faces, only {points} points and {lines} lines")
     return mesh
 
@@ -110,7 +113,7 @@ def _reading_with(reader_class):
 
         @calldata_type(VTK_STRING)
         def collect(caller, event, message):
-            messages.append(message.strip().splitlines()[-1])
+            messages.append(re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", message.strip().splitlines()[-1]))
 
         reader = reader_class()
         reader.AddObserver("ErrorEvent", collect)
