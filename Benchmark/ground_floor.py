@@ -20,6 +20,7 @@ import sys
 import time
 
 import vtkshadows
+from meshes import read_off
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -61,11 +62,12 @@ def mesh_actor(source, color):
     return actor_of(mapper, color)
 
 
-def floor_actor(half_width, height):
+def floor_actor(half_width, height, center=(0, 0)):
+    x, y = center
     plane = vtkPlaneSource()
-    plane.SetOrigin(-half_width, -half_width, height)
-    plane.SetPoint1(half_width, -half_width, height)
-    plane.SetPoint2(-half_width, half_width, height)
+    plane.SetOrigin(x - half_width, y - half_width, height)
+    plane.SetPoint1(x + half_width, y - half_width, height)
+    plane.SetPoint2(x - half_width, y + half_width, height)
     return mesh_actor(plane, (0.82, 0.80, 0.76))
 
 
@@ -137,25 +139,6 @@ def still_life():
     renderer.AddLight(spot_light((4, -4, 7), (0, 0, 0.4), 32))
     place_camera(renderer, (1.2, -8.6, 4.6), (0, 0, 0.55))
     return renderer
-
-
-def read_off(path):
-    words = [w for line in path.read_text().splitlines() for w in line.split("#")[0].split()]
-    vertices, faces = int(words[1]), int(words[2])
-    points = vtkPoints()
-    numbers = iter(words[4:])
-    for _ in range(vertices):
-        points.InsertNextPoint(float(next(numbers)), float(next(numbers)), float(next(numbers)))
-    polygons = vtkCellArray()
-    for _ in range(faces):
-        size = int(next(numbers))
-        polygons.InsertNextCell(size)
-        for _ in range(size):
-            polygons.InsertCellPoint(int(next(numbers)))
-    mesh = vtkPolyData()
-    mesh.SetPoints(points)
-    mesh.SetPolys(polygons)
-    return mesh
 
 
 def scan(path):

@@ -4,6 +4,7 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 mesh=$build/demo/refined_elephant.off
+zoo=$build/zoo
 
 say() {
   printf '\n==> %s\n' "$*"
@@ -42,6 +43,7 @@ build_tree() {
 }
 
 download_package() {
+  mkdir -p "$build/demo"
   cd "$build/demo"
   apt-get -q download libcgal-demo || {
     as_root apt-get -q update
@@ -64,6 +66,10 @@ find_archive() {
   echo "$archive"
 }
 
+forget_package() {
+  rm -rf "$build/demo/package" "$build/demo"/libcgal-demo_*.deb
+}
+
 unpack_mesh() {
   local archive
   [[ ! -s $mesh ]] || return 0
@@ -72,5 +78,18 @@ unpack_mesh() {
   archive=$(find_archive)
   tar -xzOf "$archive" "data/meshes/$(basename "$mesh")" > "$mesh.part"
   mv "$mesh.part" "$mesh"
-  rm -rf "$build/demo/package" "$build/demo"/libcgal-demo_*.deb
+  forget_package
+}
+
+# Every file of data/meshes, flat in build/zoo: whole or not there.
+unpack_zoo() {
+  local archive
+  [[ ! -d $zoo ]] || return 0
+  say "Unpacking the meshes of Debian's libcgal-demo"
+  rm -rf "$zoo.part"
+  mkdir -p "$zoo.part"
+  archive=$(find_archive)
+  tar -xzf "$archive" -C "$zoo.part" --strip-components=2 data/meshes
+  mv "$zoo.part" "$zoo"
+  forget_package
 }
