@@ -65,14 +65,25 @@ glm::dvec4 HomogeneousLight(const ShadowLight& light)
 }
 
 //------------------------------------------------------------------------------
-void Box::Add(const BoxCorners& corners)
+void Box::AddPoint(const glm::dvec3& p)
 {
-  for (const glm::dvec3& corner : corners)
+  this->minimum = this->isEmpty ? p : glm::min(this->minimum, p);
+  this->maximum = this->isEmpty ? p : glm::max(this->maximum, p);
+  this->isEmpty = false;
+}
+
+//------------------------------------------------------------------------------
+std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld)
+{
+  const glm::dmat4 worldFromClip = glm::inverse(clipFromWorld);
+  const glm::dvec2 turns[4] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+  std::array<glm::dvec3, 4> quad;
+  for (int i = 0; i < 4; ++i)
   {
-    this->minimum = this->isEmpty ? corner : glm::min(this->minimum, corner);
-    this->maximum = this->isEmpty ? corner : glm::max(this->maximum, corner);
-    this->isEmpty = false;
+    const glm::dvec4 corner = worldFromClip * glm::dvec4(turns[i], -1.0, 1.0);
+    quad[i] = glm::dvec3(corner) / corner.w;
   }
+  return quad;
 }
 
 //------------------------------------------------------------------------------
@@ -104,9 +115,9 @@ bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
 }
 
 //------------------------------------------------------------------------------
-glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& receivers)
+glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& kept)
 {
-  Box all = receivers;
+  Box all = kept;
   all.Add(caster);
   const double size = glm::length(all.maximum - all.minimum);
   glm::dvec4 best(0.0);
@@ -185,15 +196,8 @@ bool NearPlaneMayBeShadowed(
 {
   // What the eye sees of its near plane, and with the light's position a pyramid: a caster that is
   // outside of it shadows nothing of that plane.
-  const glm::dmat4 worldFromClip = glm::inverse(clipFromWorld);
-  const glm::dvec2 turns[4] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
-  glm::dvec3 quad[4], centre(0.0);
-  for (int i = 0; i < 4; ++i)
-  {
-    const glm::dvec4 corner = worldFromClip * glm::dvec4(turns[i], -1.0, 1.0);
-    quad[i] = glm::dvec3(corner) / corner.w;
-    centre += 0.25 * quad[i];
-  }
+  const std::array<glm::dvec3, 4> quad = NearQuad(clipFromWorld);
+  const glm::dvec3 centre = 0.25 * (quad[0] + quad[1] + quad[2] + quad[3]);
   double size = 0.0;
   for (const glm::dvec3& p : caster)
   {

@@ -10,6 +10,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <array>
+
 namespace vtkshadows
 {
 
@@ -19,7 +21,15 @@ struct Box
 {
   glm::dvec3 minimum{ 0.0 }, maximum{ 0.0 };
   bool isEmpty = true;
-  void Add(const BoxCorners& corners);
+  template <typename Points>
+  void Add(const Points& points)
+  {
+    for (const glm::dvec3& p : points)
+    {
+      this->AddPoint(p);
+    }
+  }
+  void AddPoint(const glm::dvec3& p);
 };
 
 // Whether a flat caster, in the plane n.x = d given as (n, d), has every receiver on the light's
@@ -27,10 +37,14 @@ struct Box
 bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
   const std::vector<BoxCorners>& receivers);
 
-// The half-space n.x <= d as (n, d), behind which, seen from the light, lies no receiver and nothing
-// of the caster, and into which every ray from the light through the caster runs; of six candidates
-// the one that is reached soonest. n = 0 if there is none: the shadow must reach to infinity.
-glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& receivers);
+// What the eye sees of its near plane.
+std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld);
+
+// The half-space n.x <= d as (n, d) that holds the caster and all of `kept`, and that every ray from
+// the light through the caster leaves; of six candidates the one that is left soonest. n = 0 if
+// there is none: the shadow must reach to infinity. `kept` holds the receivers, and the near quad
+// too where faces are counted before the receiver: else the eye might look in at the far end.
+glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& kept);
 
 // Where the ray from the light through `point` meets a FarPlane.
 glm::dvec3 ImageOnPlane(

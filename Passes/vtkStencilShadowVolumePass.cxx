@@ -72,6 +72,7 @@ public:
   std::vector<Caster> Casters; // of this frame
   std::vector<vtkshadows::BoxCorners> Receivers;
   vtkshadows::Box ReceiverBox;
+  vtkshadows::Box SeenBox; // with the near plane as far as it is seen
   vtkShadowVolumeCounter Counter;
   vtkShadowVolumeCounter::Eye Eye;
   bool Parallel = false;
@@ -123,6 +124,8 @@ vtkshadows::LightView vtkStencilShadowVolumePass::Internals::SetEye(
   this->Eye.NearPlaneWC =
     glm::row(this->Eye.ClipFromWorld, 3) + glm::row(this->Eye.ClipFromWorld, 2);
   this->Eye.UsesDepthClamp = !isInfinite;
+  this->SeenBox = this->ReceiverBox;
+  this->SeenBox.Add(vtkshadows::NearQuad(this->Eye.ClipFromWorld));
   this->ForwardWC = -glm::dvec3(glm::row(view.viewFromWorld, 2));
   return view;
 }
@@ -310,7 +313,8 @@ bool vtkStencilShadowVolumePass::CountVolumes(
 
     if (this->Confinement || my.Parallel)
     {
-      draw.FarPlaneWC = vtkshadows::FarPlane(lightWC, corners, my.ReceiverBox);
+      draw.FarPlaneWC = vtkshadows::FarPlane(
+        lightWC, corners, draw.Faces == Rule::Fail ? my.ReceiverBox : my.SeenBox);
     }
     if (this->Confinement)
     {
