@@ -67,7 +67,7 @@ struct ShadowMesh
   std::vector<Point> points;            // no two with the same bits
   std::vector<glm::uvec3> triangles;    // three different points each; piece by piece
   std::vector<std::uint32_t> originals; // of each triangle: its index in what the mesh was made of.
-                                        // Empty: the same.
+                                        // Empty unless asked for.
   EdgeTable edges;
   std::vector<MeshPiece> pieces; // closed ones, and at most one of all the others, the last
 

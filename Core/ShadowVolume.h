@@ -52,10 +52,10 @@ void FindSilhouette(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& s
 // end, away from the light.
 struct VolumeIndices
 {
-  // Sides, their outer face counter-clockwise: a quad as two triangles. `parallel` light: one
-  // triangle, its third corner the image, if all images are the same (at infinity).
-  // Edges of multiplicity 2 and 1 apart; higher ones are repeated in `doubles`, an odd one in
-  // `singles`, too.
+  // Sides, their outer face counter-clockwise: a quad as two triangles; with `oneImage` one
+  // triangle, whose third corner is an image.
+  // Each of `doubles` counts as two sides: an edge of multiplicity m has m / 2 of them, and one of
+  // `singles` if m is odd.
   std::vector<std::uint32_t> singles;
   std::vector<std::uint32_t> doubles;
   // The casting triangles in their own order of corners (so that they are drawn with the same
