@@ -41,7 +41,8 @@ struct SilhouetteEdge
 {
   std::uint32_t from = 0, to = 0; // points of the mesh
   std::uint32_t multiplicity = 1; // how many sides stand on it, at least 1
-  HalfEdge side = 0;              // one of its half-edges, plain
+  HalfEdge side = 0;              // the first of its half-edges, plain
+  std::uint32_t edge = 0;         // its number; see EdgeTable::ForEachSide
 };
 
 template <typename Real>
