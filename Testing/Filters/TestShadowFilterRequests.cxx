@@ -165,7 +165,7 @@ TEST(ShadowFilterRequests, WhatIsNoLightIsRefused)
       filter->SetLight(light[0], light[1], light[2], light[3]);
       ExpectRefused(filter, { value.str(), "w = 1", "w = 0" });
     }
-    filter->SetLight(0.0, 0.0, 0.0, 1.0);
+    filter->SetLight(0.0, 0.0, 5.0, 1.0);
     ExpectFine(filter, false);
   }
 }

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <set>
 
 using namespace filtertest;
 
@@ -186,10 +187,13 @@ TEST(ShadowVolume, SaysWhatEachCellIsAndWhereItCameFrom)
     EXPECT_EQ(caps, farCaps);
     EXPECT_EQ(caps + sides + farCaps, volume->GetNumberOfCells());
     vtkNew<vtkIdList> ids;
+    std::set<vtkIdType> casting;
     for (vtkIdType i = 0; i < volume->GetNumberOfCells(); ++i)
     {
       volume->GetCellPoints(i, ids);
       const auto cell = static_cast<vtkIdType>(CellValue(volume, "OriginalCellIds", i));
+      // A side's cell is one of those that cast.
+      EXPECT_EQ(casting.insert(cell).second, i < caps) << "cell " << i;
       for (const vtkIdType id : *ids)
       {
         // The input's point that this is, or is the image of.
