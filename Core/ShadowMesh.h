@@ -47,6 +47,30 @@ struct EdgeTable
   {
     return this->borders.size() + this->pairs.size() + this->fanStarts.size() - 1;
   }
+
+  // Calls use(side) for each half-edge of an edge, with or without RunsAlike, in the order of the
+  // triangles that the mesh was made of. Edges are numbered through: borders, pairs, fans.
+  template <typename Use>
+  void ForEachSide(std::size_t edge, const Use& use) const
+  {
+    const std::size_t pairsFrom = this->borders.size(), fansFrom = pairsFrom + this->pairs.size();
+    if (edge < pairsFrom)
+    {
+      use(this->borders[edge]);
+      return;
+    }
+    if (edge < fansFrom)
+    {
+      use(this->pairs[edge - pairsFrom].first);
+      use(this->pairs[edge - pairsFrom].second);
+      return;
+    }
+    const std::size_t fan = edge - fansFrom;
+    for (std::uint32_t i = this->fanStarts[fan]; i < this->fanStarts[fan + 1]; ++i)
+    {
+      use(this->fanSides[i]);
+    }
+  }
 };
 
 // Triangles first .. last-1, which are connected by edges, or are all those that are not closed.
@@ -67,7 +91,7 @@ struct ShadowMesh
   std::vector<Point> points;            // no two with the same bits
   std::vector<glm::uvec3> triangles;    // three different points each; piece by piece
   std::vector<std::uint32_t> originals; // of each triangle: its index in what the mesh was made of.
-                                        // Empty: the same.
+                                        // Empty unless asked for.
   EdgeTable edges;
   std::vector<MeshPiece> pieces; // closed ones, and at most one of all the others, the last
 

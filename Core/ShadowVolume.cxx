@@ -39,8 +39,8 @@ SignRule RuleOf(const MeshPiece& piece, const glm::dvec4& light, CastingFaces wh
   return piece.insideOut ? SignRule{ 0, -1 } : SignRule{ 1, 0 };
 }
 
-// Edges by one number: borders, then pairs, then fans. Calls use(side, m) for those of the numbers
-// first .. last whose signed multiplicity m is not 0; m counts along `side`.
+// Edges by one number: borders, then pairs, then fans. Calls use(side, m, number) for those of the
+// numbers first .. last whose signed multiplicity m is not 0; m counts along `side`.
 template <typename Use>
 void ForEachSilhouetteEdge(const EdgeTable& edges, const std::vector<CastSign>& signs,
   std::size_t first, std::size_t last, const Use& use)
@@ -54,7 +54,7 @@ void ForEachSilhouetteEdge(const EdgeTable& edges, const std::vector<CastSign>& 
     const int m = signs[side / 3];
     if (m != 0)
     {
-      use(side, m);
+      use(side, m, i);
     }
   }
   for (; i < std::min(last, fansFrom); ++i)
@@ -64,7 +64,7 @@ void ForEachSilhouetteEdge(const EdgeTable& edges, const std::vector<CastSign>& 
     const int m = signs[pair.first / 3] + (pair.second & RunsAlike ? other : -other);
     if (m != 0)
     {
-      use(pair.first, m);
+      use(pair.first, m, i);
     }
   }
   for (; i < last; ++i)
@@ -79,7 +79,7 @@ void ForEachSilhouetteEdge(const EdgeTable& edges, const std::vector<CastSign>& 
     }
     if (m != 0)
     {
-      use(sides[0], m);
+      use(sides[0], m, i);
     }
   }
 }
@@ -108,13 +108,14 @@ private:
 };
 
 template <typename Real>
-SilhouetteEdge EdgeOf(const ShadowMesh<Real>& mesh, HalfEdge side, int m)
+SilhouetteEdge EdgeOf(const ShadowMesh<Real>& mesh, HalfEdge side, int m, std::size_t number)
 {
   const glm::uvec3& t = mesh.triangles[side / 3];
   const Index corner = side % 3;
   const Index from = t[corner], to = t[corner == 2 ? 0 : corner + 1];
-  return m > 0 ? SilhouetteEdge{ from, to, static_cast<Index>(m), side }
-               : SilhouetteEdge{ to, from, static_cast<Index>(-m), side };
+  const auto edge = static_cast<Index>(number);
+  return m > 0 ? SilhouetteEdge{ from, to, static_cast<Index>(m), side, edge }
+               : SilhouetteEdge{ to, from, static_cast<Index>(-m), side, edge };
 }
 
 // Repeats of a side among the singles and among the doubles.
@@ -154,7 +155,7 @@ void EmitSides(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs,
     {
       std::size_t single = 0, twice = 0;
       ForEachSilhouetteEdge(mesh.edges, signs, first, last,
-        [&](HalfEdge, int m)
+        [&](HalfEdge, int m, std::size_t)
         {
           single += SinglesOf(m);
           twice += DoublesOf(m);
@@ -170,9 +171,9 @@ void EmitSides(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs,
       Index* single = indices.singles.data() + singles.Place(block);
       Index* twice = indices.doubles.data() + doubles.Place(block);
       ForEachSilhouetteEdge(mesh.edges, signs, first, last,
-        [&](HalfEdge side, int m)
+        [&](HalfEdge side, int m, std::size_t number)
         {
-          const SilhouetteEdge edge = EdgeOf(mesh, side, m);
+          const SilhouetteEdge edge = EdgeOf(mesh, side, m, number);
           for (std::size_t n = 0; n < SinglesOf(m); ++n)
           {
             single = WriteSide(single, edge, oneImage);
@@ -267,7 +268,8 @@ void FindSilhouette(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& s
 {
   silhouette.clear();
   ForEachSilhouetteEdge(mesh.edges, signs, 0, mesh.edges.NumberOfEdges(),
-    [&](HalfEdge side, int m) { silhouette.push_back(EdgeOf(mesh, side, m)); });
+    [&](HalfEdge side, int m, std::size_t number)
+    { silhouette.push_back(EdgeOf(mesh, side, m, number)); });
 }
 
 //------------------------------------------------------------------------------

@@ -41,7 +41,8 @@ struct SilhouetteEdge
 {
   std::uint32_t from = 0, to = 0; // points of the mesh
   std::uint32_t multiplicity = 1; // how many sides stand on it, at least 1
-  HalfEdge side = 0;              // one of its half-edges, plain
+  HalfEdge side = 0;              // the first of its half-edges, plain
+  std::uint32_t edge = 0;         // its number; see EdgeTable::ForEachSide
 };
 
 template <typename Real>
@@ -52,10 +53,10 @@ void FindSilhouette(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& s
 // end, away from the light.
 struct VolumeIndices
 {
-  // Sides, their outer face counter-clockwise: a quad as two triangles. `parallel` light: one
-  // triangle, its third corner the image, if all images are the same (at infinity).
-  // Edges of multiplicity 2 and 1 apart; higher ones are repeated in `doubles`, an odd one in
-  // `singles`, too.
+  // Sides, their outer face counter-clockwise: a quad as two triangles; with `oneImage` one
+  // triangle, whose third corner is an image.
+  // Each of `doubles` counts as two sides: an edge of multiplicity m has m / 2 of them, and one of
+  // `singles` if m is odd.
   std::vector<std::uint32_t> singles;
   std::vector<std::uint32_t> doubles;
   // The casting triangles in their own order of corners (so that they are drawn with the same

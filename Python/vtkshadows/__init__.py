@@ -13,6 +13,7 @@ an error that names the value and the remedy: ValueError for an argument, Runtim
 message for the rest.
 
 The classes underneath are in vtkshadows.vtkShadowsPasses (vtkShadowPass is what `enable` returns).
+Shadows as geometry, without rendering: vtkShadowSilhouetteFilter and vtkShadowVolumeFilter.
 """
 import operator
 import re
@@ -37,6 +38,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
+from .vtkShadowsFilters import vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
 from .vtkShadowsPasses import vtkShadowErrorMeasure, vtkShadowPass
 
 __all__ = [
@@ -50,6 +52,8 @@ __all__ = [
     "visibility",
     "vtkShadowErrorMeasure",
     "vtkShadowPass",
+    "vtkShadowSilhouetteFilter",
+    "vtkShadowVolumeFilter",
 ]
 
 

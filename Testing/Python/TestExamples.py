@@ -1,4 +1,4 @@
-"""The first examples run, write the same picture, and it has a shadow."""
+"""The examples run: the first ones write the same picture, and it has a shadow; the volume is a file."""
 import pathlib
 import re
 import subprocess
@@ -7,8 +7,10 @@ import unittest
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-PYTHON_EXAMPLE, CXX_EXAMPLE, FOLDER = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+PYTHON_EXAMPLE, CXX_EXAMPLE, VOLUME_EXAMPLE = sys.argv[1:4]
+FOLDER = pathlib.Path(sys.argv[4])
 
 
 def read_png(path):
@@ -42,6 +44,19 @@ class TestExamples(unittest.TestCase):
         different = int((python != cxx).any(axis=2).sum())
         print(f"pixels that differ: got {different}, expected 0, tolerance 0")
         self.assertEqual(different, 0)
+
+    def test_volume(self):
+        file = FOLDER / "shadow_volume.vtp"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, VOLUME_EXAMPLE, str(file))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"^silhouette: \d+ edges, length [\d.]+\nvolume: \d+ triangles")
+        count = int(re.search(r"volume: (\d+) triangles", done.stdout)[1])
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(file))
+        reader.Update()
+        print(f"triangles in the file: got {reader.GetOutput().GetNumberOfCells()}, expected {count}")
+        self.assertEqual(reader.GetOutput().GetNumberOfCells(), count)
 
 
 if __name__ == "__main__":
