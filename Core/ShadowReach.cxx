@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,31 @@ glm::dvec3 Along(const glm::dvec4& light, const glm::dvec3& p)
   return p * light.w - glm::dvec3(light);
 }
 
+// Corner i has its axes' upper ends in the bits of i.
+constexpr int BoxFaces[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
+  { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
+
+// Leaves the part where plane.x >= 0 (Sutherland and Hodgman 1974).
+void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane)
+{
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const glm::dvec3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const double a = glm::dot(plane, glm::dvec4(from, 1.0));
+    const double b = glm::dot(plane, glm::dvec4(to, 1.0));
+    if (a >= 0.0)
+    {
+      kept.push_back(from);
+    }
+    if ((a >= 0.0) != (b >= 0.0))
+    {
+      kept.push_back(glm::mix(from, to, a / (a - b)));
+    }
+  }
+  polygon.swap(kept);
+}
+
 // Whether all of the shadow lies where plane.x < 0.
 bool ShadowLiesBehind(const glm::dvec4& plane, const glm::dvec4& light, const BoxCorners& caster)
 {
@@ -42,8 +68,8 @@ bool ShadowLiesBehind(const glm::dvec4& plane, const glm::dvec4& light, const Bo
 }
 
 // The plane through a, b and the light, with `inside` on its negative side.
-glm::dvec4 PlaneThrough(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec4& light,
-  const glm::dvec3& inside)
+glm::dvec4 PlaneThrough(
+  const glm::dvec3& a, const glm::dvec3& b, const glm::dvec4& light, const glm::dvec3& inside)
 {
   const glm::dvec3 normal = glm::cross(b - a, glm::dvec3(light) - a * light.w);
   const double length = glm::length(normal);
@@ -87,8 +113,8 @@ std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld)
 }
 
 //------------------------------------------------------------------------------
-bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
-  const std::vector<BoxCorners>& receivers)
+bool CastsOnNothing(
+  const glm::dvec4& planeWC, const ShadowLight& light, const std::vector<BoxCorners>& receivers)
 {
   const glm::dvec3 normal(planeWC);
   if (normal == glm::dvec3(0.0))
@@ -115,7 +141,8 @@ bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
 }
 
 //------------------------------------------------------------------------------
-glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& kept)
+glm::dvec4 FarPlane(
+  const glm::dvec4& light, const BoxCorners& caster, const Box& kept, const glm::dvec3& backward)
 {
   Box all = kept;
   all.Add(caster);
@@ -126,6 +153,10 @@ glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box
   {
     for (const double sign : { -1.0, 1.0 })
     {
+      if (sign * backward[axis] > 0.0)
+      {
+        continue;
+      }
       glm::dvec4 plane(0.0);
       plane[axis] = sign;
       plane.w = (sign > 0.0 ? all.maximum[axis] : -all.minimum[axis]) + FarMargin * size;
@@ -230,6 +261,121 @@ bool NearPlaneMayBeShadowed(
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool EyeMayBeShadowed(const glm::dvec4& eye, const glm::dvec4& light, const BoxCorners& caster)
+{
+  if (eye.w == 0.0 && light.w == 0.0)
+  {
+    // Two points at infinity: only a light straight ahead shadows the eye.
+    return glm::dot(glm::normalize(glm::dvec3(eye)), glm::normalize(glm::dvec3(light))) < -0.999;
+  }
+  // The way between eye and light, from the end that is not at infinity, against the slabs of the
+  // caster's bounds (Kay and Kajiya 1986).
+  const glm::dvec4& from = eye.w != 0.0 ? eye : light;
+  const glm::dvec4& to = eye.w != 0.0 ? light : eye;
+  const glm::dvec3 origin = glm::dvec3(from) / from.w;
+  const glm::dvec3 along = to.w != 0.0 ? glm::dvec3(to) / to.w - origin : glm::dvec3(to);
+  Box box;
+  box.Add(caster);
+  const double tolerance = SideTolerance *
+    (glm::length(box.maximum - box.minimum) +
+      glm::length(0.5 * (box.minimum + box.maximum) - origin));
+  double enter = 0.0, leave = to.w != 0.0 ? 1.0 : Infinity;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = box.minimum[axis] - tolerance - origin[axis];
+    const double high = box.maximum[axis] + tolerance - origin[axis];
+    if (along[axis] == 0.0)
+    {
+      leave = low > 0.0 || high < 0.0 ? -Infinity : leave;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / along[axis], high / along[axis]));
+    leave = std::min(leave, std::max(low / along[axis], high / along[axis]));
+  }
+  return enter <= leave;
+}
+
+//------------------------------------------------------------------------------
+DepthRange SeenDepths(const glm::dmat4& clipFromView, const glm::dmat4& viewFromWorld,
+  const std::vector<BoxCorners>& boxes)
+{
+  const glm::dmat4 viewFromClip = glm::inverse(clipFromView);
+  const auto depthAt = [&viewFromClip](double z)
+  {
+    const glm::dvec4 p = viewFromClip * glm::dvec4(0.0, 0.0, z, 1.0);
+    return -p.z / p.w;
+  };
+  const DepthRange whole{ depthAt(-1.0), depthAt(1.0) };
+  const glm::dmat4 clipFromWorld = clipFromView * viewFromWorld;
+  const glm::dvec4 w = glm::row(clipFromWorld, 3);
+  std::vector<glm::dvec4> planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec4 side = glm::row(clipFromWorld, axis);
+    planes.push_back(w + side);
+    planes.push_back(w - side);
+  }
+  const glm::dvec4 depth = -glm::row(viewFromWorld, 2);
+  const std::array<glm::dvec3, 4> nearQuad = NearQuad(clipFromWorld);
+
+  DepthRange seen{ Infinity, -Infinity };
+  for (const BoxCorners& box : boxes)
+  {
+    for (const auto& face : BoxFaces)
+    {
+      std::vector<glm::dvec3> polygon;
+      for (const int corner : face)
+      {
+        polygon.push_back(box[corner]);
+      }
+      for (const glm::dvec4& plane : planes)
+      {
+        ClipPolygon(polygon, plane);
+      }
+      for (const glm::dvec3& p : polygon)
+      {
+        const double d = glm::dot(depth, glm::dvec4(p, 1.0));
+        seen.nearest = std::min(seen.nearest, d);
+        seen.farthest = std::max(seen.farthest, d);
+      }
+    }
+    // An eye within the box may see something at once.
+    Box bounds;
+    bounds.Add(box);
+    for (const glm::dvec3& p : nearQuad)
+    {
+      const bool isInside = glm::all(glm::greaterThanEqual(p, bounds.minimum)) &&
+        glm::all(glm::lessThanEqual(p, bounds.maximum));
+      seen.nearest = isInside ? whole.nearest : seen.nearest;
+    }
+  }
+  const double margin = FarMargin * (seen.farthest - seen.nearest) +
+    1.0e-6 * std::max(std::abs(seen.nearest), std::abs(seen.farthest));
+  seen.nearest = std::max(whole.nearest, seen.nearest - margin);
+  seen.farthest = std::min(whole.farthest, seen.farthest + margin);
+  return seen.nearest < seen.farthest ? seen : whole;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 WithDepthRange(glm::dmat4 clipFromView, const DepthRange& range)
+{
+  const double n = range.nearest, f = range.farthest;
+  const bool isParallel = clipFromView[2][3] == 0.0;
+  clipFromView[2][2] = isParallel ? -2.0 / (f - n) : -(f + n) / (f - n);
+  clipFromView[3][2] = isParallel ? -(f + n) / (f - n) : -2.0 * f * n / (f - n);
+  return clipFromView;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 WithInfiniteFarPlane(glm::dmat4 clipFromView)
+{
+  const double nearPlane = clipFromView[3][2] / (clipFromView[2][2] - 1.0);
+  clipFromView[2][2] = -1.0;
+  clipFromView[3][2] = -2.0 * nearPlane;
+  return clipFromView;
 }
 
 //------------------------------------------------------------------------------

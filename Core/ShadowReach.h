@@ -1,6 +1,6 @@
-// Where a caster's shadow can fall, told from bounds alone: what need not be drawn, how far a volume
-// must reach, and whether the eye's near plane can lie in it. All in world coordinates and double;
-// each answer errs on the side of drawing more.
+// Where a caster's shadow can fall, told from bounds alone: what need not be drawn, how far a
+// volume must reach, and whether the eye's near plane can lie in it. All in world coordinates and
+// double; each answer errs on the side of drawing more.
 //
 // A light is a homogeneous vector: (position, 1), or (the unit direction toward it, 0).
 #ifndef vtkshadows_ShadowReach_h
@@ -34,17 +34,20 @@ struct Box
 
 // Whether a flat caster, in the plane n.x = d given as (n, d), has every receiver on the light's
 // side of its plane, or on it: then nothing can lie in its shadow.
-bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
-  const std::vector<BoxCorners>& receivers);
+bool CastsOnNothing(
+  const glm::dvec4& planeWC, const ShadowLight& light, const std::vector<BoxCorners>& receivers);
 
 // What the eye sees of its near plane.
 std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld);
 
-// The half-space n.x <= d as (n, d) that holds the caster and all of `kept`, and that every ray from
-// the light through the caster leaves; of six candidates the one that is left soonest. n = 0 if
-// there is none: the shadow must reach to infinity. `kept` holds the receivers, and the near quad
-// too where faces are counted before the receiver: else the eye might look in at the far end.
-glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& kept);
+// The half-space n.x <= d as (n, d) that holds the caster and all of `kept`, and that every ray
+// from the light through the caster leaves; of six candidates the one that is left soonest. n = 0
+// if there is none: the shadow must reach to infinity. `kept` holds the receivers. Where faces are
+// counted before the receiver, no way from the eye to a receiver may cross the plane, lest the eye
+// look in at the far end: then `kept` holds the eye, too, and for parallel eyes `backward` is
+// against their direction (else 0).
+glm::dvec4 FarPlane(const glm::dvec4& light, const BoxCorners& caster, const Box& kept,
+  const glm::dvec3& backward = glm::dvec3(0.0));
 
 // Where the ray from the light through `point` meets a FarPlane.
 glm::dvec3 ImageOnPlane(
@@ -58,10 +61,31 @@ bool ShadowMayBeSeen(
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster);
 
 // Whether the eye's near plane, as far as it is seen, can lie in the caster's shadow or cut the
-// caster: then faces of its volume between eye and near plane are missing (E. Lengyel: The mechanics
-// of robust stencil shadows, Gamasutra 2002).
+// caster: then faces of its volume between eye and near plane are missing, if what lies there is
+// clipped (E. Lengyel: The mechanics of robust stencil shadows, Gamasutra 2002).
 bool NearPlaneMayBeShadowed(
   const glm::dmat4& clipFromWorld, const glm::dvec4& light, const BoxCorners& caster);
+
+// Whether the eye itself can lie in the caster's shadow. An eye is (position, 1), or for a parallel
+// projection (the direction from which it looks, 0): the point at infinity there.
+bool EyeMayBeShadowed(const glm::dvec4& eye, const glm::dvec4& light, const BoxCorners& caster);
+
+// How far before the eye, along its axis, what it sees of the boxes begins and ends, within the
+// near and far plane of its projection; that whole range if it sees none. The tighter, the finer
+// are the steps of a depth buffer.
+struct DepthRange
+{
+  double nearest = 0.0, farthest = 0.0;
+};
+DepthRange SeenDepths(const glm::dmat4& clipFromView, const glm::dmat4& viewFromWorld,
+  const std::vector<BoxCorners>& boxes);
+
+// The same projection with other near and far planes.
+glm::dmat4 WithDepthRange(glm::dmat4 clipFromView, const DepthRange& range);
+
+// With its near plane, and its far plane at infinity (Everitt and Kilgard 2002). Not of a parallel
+// one.
+glm::dmat4 WithInfiniteFarPlane(glm::dmat4 clipFromView);
 
 // Bounds in the viewport, -1 to 1, and in depth, of the caster and its images on the far plane, cut
 // to the view. All of the view if a part lies beside or behind the eye, or the plane is none.

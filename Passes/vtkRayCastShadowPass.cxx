@@ -76,15 +76,16 @@ struct alignas(32) ReceiverLanes
 class TraceFrame
 {
 public:
-  TraceFrame(const glm::dmat4& traceFromView, double scale)
+  TraceFrame(const glm::dmat4& traceFromView, double scale, double vertexReach)
     : TraceFromView(traceFromView)
     , Turn(glm::dmat3(traceFromView) / scale)
     , Scale(static_cast<float>(scale))
+    , VertexReach(static_cast<float>(scale * vertexReach))
   {
   }
 
   // Where rays start: off the face, toward the eye, by `epsilonScale` times the rounding bound of
-  // what was done in floats (the eye's position of it, this, the tree's vertices).
+  // what was done in floats (the drawn vertices, the eye's position of them, this, the tree's).
   void SetOrigins(ReceiverLanes& lanes, float epsilonScale) const
   {
     constexpr float RoundingUnit = 1.0f / (1 << 22);
@@ -103,7 +104,7 @@ public:
       const float distance = std::sqrt(x * x + y * y + z * z) * this->Scale;
       const float reach =
         std::abs(lanes.FromX[i]) + std::abs(lanes.FromY[i]) + std::abs(lanes.FromZ[i]);
-      const float off = epsilonScale * RoundingUnit * (1.0f + distance + reach);
+      const float off = epsilonScale * RoundingUnit * (1.0f + this->VertexReach + distance + reach);
       float nx, ny, nz;
       vtkShadowReceiverBuffer::DecodeNormal(lanes.Code[i], nx, ny, nz);
       lanes.FromX[i] += off * (turn[0][0] * nx + turn[1][0] * ny + turn[2][0] * nz);
@@ -114,8 +115,9 @@ public:
 
 private:
   glm::dmat4 TraceFromView;
-  glm::mat3 Turn; // the rotation in TraceFromView
-  float Scale;    // trace units in a world unit
+  glm::mat3 Turn;    // the rotation in TraceFromView
+  float Scale;       // trace units in a world unit
+  float VertexReach; // of the receivers, trace units
 };
 
 // A hard light in the tree's coordinates.
@@ -269,7 +271,15 @@ public:
 
   TraceFrame FrameOf(const vtkShadowFrame& frame) const
   {
-    return TraceFrame(this->TraceFromWorld * glm::inverse(frame.ViewFromWorld), this->Scale);
+    double reach = 0.0;
+    for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
+    {
+      for (const vtkShadowScene::Piece& piece : prop.Pieces)
+      {
+        reach = prop.Receives ? std::max(reach, piece.VertexReach) : reach;
+      }
+    }
+    return TraceFrame(this->TraceFromWorld * glm::inverse(frame.ViewFromWorld), this->Scale, reach);
   }
 
   TraceLight LightOf(const vtkshadows::ShadowLight& light) const

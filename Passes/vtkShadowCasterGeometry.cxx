@@ -9,6 +9,7 @@
 #if __has_include("vtkCompositePolyDataMapper2.h")
 #include "vtkCompositePolyDataMapper2.h"
 #endif
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -490,6 +491,41 @@ bool vtkShadowCasterGeometry::BoundsOf(vtkMapper* mapper, double bounds[6])
     bounds[2 * axis + 1] += reach;
   }
   return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterGeometry::VertexPlace vtkShadowCasterGeometry::PlaceOfVertices(vtkMapper* mapper)
+{
+  double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  if (mesh && mesh->GetPoints() && mapper->IsA("vtkPolyDataMapper"))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      mesh->GetPoints()->GetData()->GetRange(bounds + 2 * axis, axis);
+    }
+  }
+  else if (!BoundsOf(mapper, bounds))
+  {
+    return {};
+  }
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
+  const glm::dvec3 size = high - low, shift = 0.5 * (high + low);
+  const double size2 = glm::dot(size, size), shift2 = glm::dot(shift, shift);
+  const bool isMoved =
+    (size2 > 0.0 && (shift2 / size2 > 1.0e6 || std::abs(std::log10(size2)) > 3.0)) ||
+    (size2 == 0.0 && shift2 > 1.0e6);
+  if (!isMoved || !std::isfinite(size2) || !std::isfinite(shift2))
+  {
+    return {};
+  }
+  VertexPlace place;
+  place.Shift = shift;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    place.Scale[axis] = size[axis] > 0.0 ? 1.0 / size[axis] : 1.0;
+  }
+  return place;
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,19 @@ struct vtkShadowCasterGeometry
   // those in cells.
   static bool BoundsOf(vtkMapper* mapper, double bounds[6]);
 
+  // How the mapper's points become the floats that it hands to OpenGL, (p - Shift) * Scale: VTK
+  // moves and scales what is far from the origin for its size, or large or small
+  // (vtkOpenGLVertexBufferObject::UpdateShiftScale).
+  struct VertexPlace
+  {
+    glm::dvec3 Shift{ 0.0 }, Scale{ 1.0 };
+    bool IsMoved() const
+    {
+      return this->Scale != glm::dvec3(1.0) || this->Shift != glm::dvec3(0.0);
+    }
+  };
+  static VertexPlace PlaceOfVertices(vtkMapper* mapper);
+
   // Extract `piece`, in a space of the caller's (so that floats are relative to the scene, or the
   // caster); worldFromTrace is needed only where the mapper has clipping planes.
   static vtkShadowCasterGeometry Extract(const vtkShadowScene::Piece& piece,

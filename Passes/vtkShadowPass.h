@@ -72,9 +72,9 @@ public:
 
   ///@{
   /**
-   * Technique of every light that has none of its own: "depth-map" (default), "stencil-volume", "ray-cast" or
-   * "none"
-   * (every light lit). An unknown name is an error that lists the known ones, and changes nothing.
+   * Technique of every light that has none of its own: "depth-map" (default), "stencil-volume",
+   * "ray-cast" or "none" (every light lit). An unknown name is an error that lists the known ones,
+   * and changes nothing.
    */
   bool SetTechnique(const std::string& name);
   std::string GetTechnique() const;

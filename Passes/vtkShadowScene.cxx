@@ -218,6 +218,19 @@ vtkMapper* MapperOf(vtkProp* leaf)
   return nullptr;
 }
 
+double VertexReachOf(vtkMapper* mapper, const double bounds[6], const glm::dmat4& worldFromModel)
+{
+  const bool isMoved = vtkShadowCasterGeometry::PlaceOfVertices(mapper).IsMoved();
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = bounds[2 * axis], high = bounds[2 * axis + 1];
+    const double largest = isMoved ? high - low : std::max(std::abs(low), std::abs(high));
+    reach = std::max(reach, largest * glm::length(glm::dvec3(worldFromModel[axis])));
+  }
+  return reach;
+}
+
 bool DrawsImpostors(const Scene::Piece& piece)
 {
   // By name: the sphere and stick mappers' classes moved between VTK's modules and versions.
@@ -339,6 +352,7 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
       return;
     }
   }
+  piece.VertexReach = VertexReachOf(mapper, bounds, piece.WorldFromModel);
   const glm::dvec4 planeMC = this->PlaneOf(mapper);
   if (glm::dvec3(planeMC) != glm::dvec3(0.0))
   {

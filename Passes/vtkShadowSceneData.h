@@ -32,6 +32,9 @@ struct vtkShadowScene::Piece
   vtkMapper* Mapper = nullptr;
   glm::dmat4 WorldFromModel{ 1.0 };
   vtkshadows::BoxCorners CornersWC;
+  // The largest coordinate that its vertices have as OpenGL's floats, in world units: what they are
+  // rounded in proportion to.
+  double VertexReach = 0.0;
   // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
   glm::dvec4 PlaneWC{ 0.0 };
   // Changes exactly when the piece's shape changes, in model coordinates.

@@ -36,20 +36,6 @@ bool IsFinite(const glm::vec3& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-// To about -1 .. 1, from the bounds that `mapper` draws in.
-glm::dmat4 ModelFromBounds(vtkMapper* mapper)
-{
-  double bounds[6];
-  if (!vtkShadowCasterGeometry::BoundsOf(mapper, bounds))
-  {
-    return glm::dmat4(1.0);
-  }
-  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]), high(bounds[1], bounds[3], bounds[5]);
-  const double size = 0.5 * glm::length(high - low);
-  const double scale = size > 0.0 && std::isfinite(size) ? size : 1.0;
-  return glm::scale(glm::translate(glm::dmat4(1.0), 0.5 * (low + high)), glm::dvec3(scale));
-}
-
 unsigned int MakeBuffer(GLenum target, const void* data, std::size_t bytes)
 {
   unsigned int buffer = 0;
@@ -93,9 +79,14 @@ bool vtkShadowVolumeCaster::Update(
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
 {
-  this->ModelFromCaster = ModelFromBounds(piece.Mapper);
+  const vtkShadowCasterGeometry::VertexPlace place =
+    vtkShadowCasterGeometry::PlaceOfVertices(piece.Mapper);
+  this->ModelFromCaster =
+    glm::scale(glm::translate(glm::dmat4(1.0), place.Shift), 1.0 / place.Scale);
+  const glm::dmat4 casterFromModel =
+    glm::translate(glm::scale(glm::dmat4(1.0), place.Scale), -place.Shift);
   vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
-    piece, glm::inverse(this->ModelFromCaster), piece.WorldFromModel * this->ModelFromCaster);
+    piece, casterFromModel, piece.WorldFromModel * this->ModelFromCaster);
   this->Skipped = geometry.Skipped;
   this->Fault.clear();
   const auto bad = std::find_if_not(geometry.Vertices.begin(), geometry.Vertices.end(), IsFinite);
@@ -106,8 +97,8 @@ void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
     this->Mesh = {};
     return;
   }
-  this->Mesh = vtkshadows::BuildShadowMesh(
-    std::move(geometry.Vertices), std::move(geometry.Triangles));
+  this->Mesh =
+    vtkshadows::BuildShadowMesh(std::move(geometry.Vertices), std::move(geometry.Triangles));
   if (!this->IsEmpty())
   {
     this->UploadPoints();
@@ -153,8 +144,8 @@ glm::dvec4 vtkShadowVolumeCaster::ToCaster(const glm::dvec4& lightWC) const
 }
 
 //------------------------------------------------------------------------------
-const vtkShadowVolumeCaster::Volume& vtkShadowVolumeCaster::UpdateVolume(std::size_t slot,
-  const glm::dvec4& lightWC, bool oneImage, CastingFaces faces, vtkIdType& built)
+const vtkShadowVolumeCaster::Volume& vtkShadowVolumeCaster::UpdateVolume(
+  std::size_t slot, const glm::dvec4& lightWC, bool oneImage, CastingFaces faces, vtkIdType& built)
 {
   if (this->Volumes.size() <= slot)
   {

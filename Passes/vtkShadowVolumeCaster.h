@@ -1,8 +1,10 @@
 // One caster of shadow volumes: its mesh, built once a shape; its points with the driver; and one
 // volume a light, built again only when the light moved relative to it.
 //
-// All in the caster's own coordinates (TC): its model's, relative to the centre and size of its
-// bounds there, so that an actor that moves changes nothing but where the light is.
+// All in the caster's own coordinates (TC): the floats that its mapper hands to OpenGL (see
+// vtkShadowCasterGeometry::PlaceOfVertices). The same floats by the same matrix give the same
+// pixels and depths, so that a cap ties with the surface that it lies on; and an actor that moves
+// changes nothing but where the light is.
 #ifndef vtkShadowVolumeCaster_h
 #define vtkShadowVolumeCaster_h
 

@@ -93,7 +93,7 @@ bool vtkShadowVolumeCounter::Reserve(const vtkShadowFrame& frame, bool stencil, 
 
 //------------------------------------------------------------------------------
 bool vtkShadowVolumeCounter::DrawReceivers(
-  const vtkShadowFrame& frame, const vtkshadows::LightView* view)
+  const vtkShadowFrame& frame, const vtkshadows::LightView& view)
 {
   vtkShadowDrawScope target(frame.Window, this->Depth, 0);
   if (!target.IsComplete())
@@ -279,8 +279,8 @@ void vtkShadowVolumeCounter::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumeCounter::DrawFullScreen(const vtkShadowFrame& frame,
-  vtkShadowTextureArray& source, bool isSum, float share, bool parity)
+void vtkShadowVolumeCounter::DrawFullScreen(
+  const vtkShadowFrame& frame, vtkShadowTextureArray& source, bool isSum, float share, bool parity)
 {
   vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
     vtkShadowFullScreenVS, vtkStencilShadowVolumePassResolveFS, "");
@@ -376,8 +376,8 @@ void vtkShadowVolumeCounter::ReadCounts(const vtkShadowFrame& frame, std::vector
     vtkShadowDrawScope target(frame.Window, this->Depth, 0);
     std::vector<unsigned char> stencil(counts.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, frame.Size[0], frame.Size[1], GL_STENCIL_INDEX, GL_UNSIGNED_BYTE,
-      stencil.data());
+    glReadPixels(
+      0, 0, frame.Size[0], frame.Size[1], GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     std::copy(stencil.begin(), stencil.end(), counts.begin());
     return;

@@ -54,9 +54,8 @@ public:
   // driver has none.
   bool Reserve(const vtkShadowFrame& frame, bool stencil, bool sums);
 
-  // The receivers' depth of this frame; `view` if not the eye's own projection. false if the driver
-  // cannot.
-  bool DrawReceivers(const vtkShadowFrame& frame, const vtkshadows::LightView* view);
+  // The depth of what is opaque in this frame, seen by `view`. false if the driver cannot.
+  bool DrawReceivers(const vtkShadowFrame& frame, const vtkshadows::LightView& view);
 
   // Between Begin and End: every count starts at `start`, and draws add to it.
   bool Begin(const vtkShadowFrame& frame, const Eye& eye, int start);

@@ -278,15 +278,12 @@ void vtkShadowedShadingPass::DrawReceivers(const vtkShadowFrame& frame, Stage st
 
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::DrawDepths(
-  const vtkShadowFrame& frame, const vtkshadows::LightView* view)
+  const vtkShadowFrame& frame, const vtkshadows::LightView& view)
 {
   const vtkSmartPointer<vtkCamera> eye = frame.Renderer->GetActiveCamera();
-  if (view)
-  {
-    this->CasterCamera->SetView(*view);
-    this->CasterCamera->SetParallelProjection(eye->GetParallelProjection());
-    frame.Renderer->SetActiveCamera(this->CasterCamera);
-  }
+  this->CasterCamera->SetView(view);
+  this->CasterCamera->SetParallelProjection(eye->GetParallelProjection());
+  frame.Renderer->SetActiveCamera(this->CasterCamera);
   this->DrawReceivers(frame, DEPTHS);
   frame.Renderer->SetActiveCamera(eye);
 }

@@ -85,8 +85,8 @@ public:
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view);
   void DrawReceivers(const vtkShadowFrame& frame, Stage stage);
-  // The depth of what is opaque, in the eye's view; with another projection if `view` is given.
-  void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView* view);
+  // The depth of what is opaque, by the eye's view with a depth range of its own.
+  void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView& view);
 
   // The light that VISIBILITY shows.
   void SetShownLight(int light)
@@ -120,7 +120,10 @@ private:
   void AttachTo(vtkProp* prop, bool receives);
   void SetStage(Stage stage);
   bool IsReceiver(vtkProp* prop) const;
-  bool DrawsDepthAlone() const { return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS; }
+  bool DrawsDepthAlone() const
+  {
+    return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS;
+  }
 
   std::vector<LightPlan> Plan;
   std::vector<vtkShadowTechniquePass*> Techniques; // of the plan, each once

@@ -45,15 +45,6 @@ bool IsDrawnWhole(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece&
     property->GetAllTextures().empty();
 }
 
-// A projection with its far plane at infinity: z becomes 1 - 2n / depth (Everitt and Kilgard 2002).
-glm::dmat4 WithInfiniteFarPlane(glm::dmat4 clipFromView)
-{
-  const double nearPlane = clipFromView[3][2] / (clipFromView[2][2] - 1.0);
-  clipFromView[2][2] = -1.0;
-  clipFromView[3][2] = -2.0 * nearPlane;
-  return clipFromView;
-}
-
 struct Caster
 {
   const vtkShadowScene::Prop* Prop = nullptr;
@@ -76,7 +67,8 @@ public:
   vtkShadowVolumeCounter Counter;
   vtkShadowVolumeCounter::Eye Eye;
   bool Parallel = false;
-  glm::dvec3 ForwardWC{ 0.0, 0.0, -1.0 };
+  glm::dvec3 BackwardWC{ 0.0 }; // of a parallel eye: against its direction
+  glm::dvec4 EyeWC{ 0.0 };      // as EyeMayBeShadowed wants it
   vtkShadowTextureArray Masks;
   std::vector<float> Counts;
   int CountSize[2] = { 0, 0 };
@@ -84,6 +76,7 @@ public:
 
   void GatherReceivers(const vtkShadowScene& scene);
   vtkshadows::LightView SetEye(const vtkShadowFrame& frame, bool infinite);
+  bool MayCountBefore(const Caster& caster, const glm::dvec4& lightWC) const;
 };
 
 //------------------------------------------------------------------------------
@@ -105,29 +98,60 @@ void vtkStencilShadowVolumePass::Internals::GatherReceivers(const vtkShadowScene
 }
 
 //------------------------------------------------------------------------------
+// The eye's own projection, but for the depths: as tight as what is seen, whatever the camera's
+// clipping range, since the steps of the depth buffer are what volumes are held against.
 vtkshadows::LightView vtkStencilShadowVolumePass::Internals::SetEye(
   const vtkShadowFrame& frame, bool infinite)
 {
   vtkCamera* camera = frame.Renderer->GetActiveCamera();
-  this->Parallel = camera->GetParallelProjection() != 0;
   vtkshadows::LightView view;
-  view.parallel = this->Parallel;
+  view.parallel = camera->GetParallelProjection() != 0;
   view.viewFromWorld = frame.ViewFromWorld;
-  view.clipFromView = vtkShadowMatrix::ToGlm(camera->GetProjectionTransformMatrix(
-    frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
-  const bool isInfinite = infinite && !this->Parallel;
+  view.clipFromView = vtkShadowMatrix::ToGlm(
+    camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  std::vector<vtkshadows::BoxCorners> seen;
+  for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      seen.push_back(piece.CornersWC);
+    }
+  }
+  view.clipFromView = vtkshadows::WithDepthRange(
+    view.clipFromView, vtkshadows::SeenDepths(view.clipFromView, view.viewFromWorld, seen));
+  const bool isInfinite = infinite && !view.parallel;
   if (isInfinite)
   {
-    view.clipFromView = WithInfiniteFarPlane(view.clipFromView);
+    view.clipFromView = vtkshadows::WithInfiniteFarPlane(view.clipFromView);
   }
   this->Eye.ClipFromWorld = view.clipFromView * view.viewFromWorld;
   this->Eye.NearPlaneWC =
     glm::row(this->Eye.ClipFromWorld, 3) + glm::row(this->Eye.ClipFromWorld, 2);
   this->Eye.UsesDepthClamp = !isInfinite;
+  const glm::dmat4 worldFromView = glm::inverse(view.viewFromWorld);
+  this->Parallel = view.parallel;
+  this->BackwardWC = view.parallel ? glm::dvec3(worldFromView[2]) : glm::dvec3(0.0);
+  this->EyeWC = view.parallel ? glm::dvec4(this->BackwardWC, 0.0) : worldFromView[3];
   this->SeenBox = this->ReceiverBox;
   this->SeenBox.Add(vtkshadows::NearQuad(this->Eye.ClipFromWorld));
-  this->ForwardWC = -glm::dvec3(glm::row(view.viewFromWorld, 2));
+  if (!view.parallel)
+  {
+    this->SeenBox.AddPoint(glm::dvec3(this->EyeWC));
+  }
   return view;
+}
+
+//------------------------------------------------------------------------------
+// Faces before the receiver may be counted if none of them is missing: with depths clamped, unless
+// the eye is in the shadow; clipped, unless the near plane is.
+bool vtkStencilShadowVolumePass::Internals::MayCountBefore(
+  const Caster& caster, const glm::dvec4& lightWC) const
+{
+  const vtkshadows::BoxCorners& corners = caster.Piece->CornersWC;
+  return caster.DrawnWhole &&
+    !(this->Eye.UsesDepthClamp
+        ? vtkshadows::EyeMayBeShadowed(this->EyeWC, lightWC, corners)
+        : vtkshadows::NearPlaneMayBeShadowed(this->Eye.ClipFromWorld, lightWC, corners));
 }
 
 //------------------------------------------------------------------------------
@@ -224,7 +248,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->UpdateCasters(frame);
   const vtkshadows::LightView view = my.SetEye(frame, this->InfiniteProjection);
   if (!my.Masks.Id() || !my.Counter.Reserve(frame, this->StencilCounter, anySoft) ||
-    !my.Counter.DrawReceivers(frame, my.Eye.UsesDepthClamp ? nullptr : &view))
+    !my.Counter.DrawReceivers(frame, view))
   {
     this->WarnOnce(this,
       "The driver cannot hold depths and counts of " + std::to_string(frame.Size[0]) + " x " +
@@ -272,8 +296,7 @@ bool vtkStencilShadowVolumePass::CountVolumes(
 {
   Internals& my = *this->Internal;
   const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
-  const CastingFaces faces =
-    this->OneSidedClosedPieces ? CastingFaces::Closed : CastingFaces::All;
+  const CastingFaces faces = this->OneSidedClosedPieces ? CastingFaces::Closed : CastingFaces::All;
 
   std::vector<vtkShadowVolumeCounter::Draw> draws;
   int start = 0;
@@ -304,17 +327,15 @@ bool vtkStencilShadowVolumePass::CountVolumes(
         draw.Faces = Rule::PassCapped;
         break;
       default:
-        draw.Faces = caster.DrawnWhole &&
-            !vtkshadows::NearPlaneMayBeShadowed(my.Eye.ClipFromWorld, lightWC, corners)
-          ? Rule::Pass
-          : Rule::Fail;
+        draw.Faces = my.MayCountBefore(caster, lightWC) ? Rule::Pass : Rule::Fail;
     }
     ++(draw.Faces == Rule::Fail ? this->NumberOfZFailCasters : this->NumberOfZPassCasters);
 
     if (this->Confinement || my.Parallel)
     {
-      draw.FarPlaneWC = vtkshadows::FarPlane(
-        lightWC, corners, draw.Faces == Rule::Fail ? my.ReceiverBox : my.SeenBox);
+      draw.FarPlaneWC = draw.Faces == Rule::Fail
+        ? vtkshadows::FarPlane(lightWC, corners, my.ReceiverBox)
+        : vtkshadows::FarPlane(lightWC, corners, my.SeenBox, my.BackwardWC);
     }
     if (this->Confinement)
     {
@@ -329,14 +350,18 @@ bool vtkStencilShadowVolumePass::CountVolumes(
     {
       // Parallel rays of the eye all end in one point at infinity, which no cap there can cover.
       draw.FarCaps = false;
-      start += caster.Geometry->CountAtInfinity(lightWC, my.ForwardWC, faces);
+      start += caster.Geometry->CountAtInfinity(lightWC, -my.BackwardWC, faces);
     }
     draw.Volume =
       &caster.Geometry->UpdateVolume(slot, lightWC, oneImage, faces, this->NumberOfVolumeBuilds);
     draws.push_back(draw);
   }
 
-  if (!my.Counter.Begin(frame, my.Eye, start))
+  // The classical variants clip what lies before the near plane, as they always did.
+  vtkShadowVolumeCounter::Eye eye = my.Eye;
+  eye.UsesDepthClamp =
+    eye.UsesDepthClamp && (this->Variant == AUTOMATIC || this->Variant == Z_FAIL);
+  if (!my.Counter.Begin(frame, eye, start))
   {
     return false;
   }

@@ -2,8 +2,8 @@
  * @class   vtkStencilShadowVolumePass
  * @brief   visibility by shadow volumes: exact for any mesh, to the pixel
  *
- * Technique "stencil-volume", form mask: what lies in the shadow of a caster is a volume, bounded by
- * the caster's lit side, the sides that its silhouette throws, and its image far away. For each
+ * Technique "stencil-volume", form mask: what lies in the shadow of a caster is a volume, bounded
+ * by the caster's lit side, the sides that its silhouette throws, and its image far away. For each
  * pixel the volumes that its receiver lies in are counted, by drawing their faces against the
  * receivers' depth. Directional, spot and point lights; casters of any kind of triangles: open,
  * non-manifold, of mixed winding, duplicated (signed edge multiplicity, see Core/ShadowVolume.h).
@@ -27,12 +27,11 @@
  * Heidmann, T.: Real shadows, real time, IRIS Universe 18, 1991 (counting in the stencil);
  * Everitt, C. and Kilgard, M.: Practical and robust stenciled shadow volumes for
  * hardware-accelerated rendering, 2002 (z-fail, infinite volumes);
- * Hornus, S., Hoberock, J., Lefebvre, S. and Hart, J.: ZP+: correct z-pass stencil shadows, I3D 2005
- * (near-plane caps);
- * Aldridge, G. and Woods, E.: Robust, geometry-independent shadow volumes, GRAPHITE 2004;
- * Kim, B., Kim, K. and Turk, G.: A shadow-volume algorithm for opaque and transparent nonmanifold
- * casters, Journal of Graphics Tools 13(3), 2008;
- * Peciva, J. et al.: Robust silhouette shadow volumes on contemporary hardware, GraphiCon 2013.
+ * Hornus, S., Hoberock, J., Lefebvre, S. and Hart, J.: ZP+: correct z-pass stencil shadows, I3D
+ * 2005 (near-plane caps); Aldridge, G. and Woods, E.: Robust, geometry-independent shadow volumes,
+ * GRAPHITE 2004; Kim, B., Kim, K. and Turk, G.: A shadow-volume algorithm for opaque and
+ * transparent nonmanifold casters, Journal of Graphics Tools 13(3), 2008; Peciva, J. et al.: Robust
+ * silhouette shadow volumes on contemporary hardware, GraphiCon 2013.
  *
  * @sa vtkShadowPass vtkRayCastShadowPass
  */
@@ -150,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Of the last frame, summed over lights and their samples: casters counted before the receiver and
-   * behind it, and left out; faces drawn.
+   * Of the last frame, summed over lights and their samples: casters counted before the receiver
+   * and behind it, and left out; faces drawn.
    */
   vtkGetMacro(NumberOfZPassCasters, vtkIdType);
   vtkGetMacro(NumberOfZFailCasters, vtkIdType);
