@@ -46,6 +46,9 @@ namespace
 
 const char* const NoTechnique = "none";
 
+const char* const NoView = "none";
+const std::vector<std::string> DebugViews = { "volumes", "silhouette", "counts" };
+
 // Faces nearer to edge-on than this are not measured: there, a rounding decides what is in shadow.
 constexpr double GrazingCosine = 0.02;
 
@@ -83,6 +86,16 @@ private:
   std::vector<vtkProp*> Props;
 };
 
+void FillImage(vtkImageData* image, const vtkShadowFrame& frame, const std::vector<float>& values,
+  const char* name)
+{
+  image->SetDimensions(frame.Size[0], frame.Size[1], 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  std::copy(values.begin(), values.end(), static_cast<float*>(image->GetScalarPointer()));
+  image->GetPointData()->GetScalars()->SetName(name);
+  image->Modified();
+}
+
 void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
 {
   if (!prop)
@@ -119,6 +132,9 @@ public:
   std::vector<vtkShadowTechniquePass*> Techniques; // owned ones, or one that is borrowed
   std::string Default = "depth-map";
   std::vector<LightSettings> Lights;
+  std::string DebugView = NoView;
+  std::string DebugFault; // as it was last told
+  vtkWeakPointer<vtkLight> DebugLight;
   vtkSmartPointer<vtkRenderPass> Delegate;
   vtkNew<vtkShadowScene> Scene;
   vtkNew<vtkShadowedShadingPass> Shading;
@@ -182,6 +198,8 @@ public:
   std::vector<vtkShadowedShadingPass::LightPlan> PlanLights(bool withStrength);
   bool Begin(const vtkShadowFrame& frame, bool withStrength, bool always);
   void End();
+  std::string DrawDebugView(const vtkShadowFrame& frame);
+  std::vector<vtkShadowedShadingPass::LightPlan> Plan; // of this frame
 };
 
 //------------------------------------------------------------------------------
@@ -282,8 +300,33 @@ bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStren
   {
     this->Shading->SetPlan(plan);
   }
+  this->Plan = plan;
   this->Shading->ActivateTextures();
   return true;
+}
+
+//------------------------------------------------------------------------------
+// What is wrong with it; empty: nothing.
+std::string vtkShadowPass::Internals::DrawDebugView(const vtkShadowFrame& frame)
+{
+  const std::vector<vtkShadowScene::Light>& lights = this->Scene->GetLights();
+  for (std::size_t i = 0; i < this->Plan.size(); ++i)
+  {
+    const vtkShadowedShadingPass::LightPlan& entry = this->Plan[i];
+    const bool isWanted =
+      this->DebugLight ? lights[i].Source == this->DebugLight : entry.Technique != nullptr;
+    if (isWanted && entry.Technique &&
+      entry.Technique->DrawDebugView(frame, entry.Slot, this->DebugView))
+    {
+      return {};
+    }
+    if (isWanted)
+    {
+      return std::string("the light's technique is ") +
+        (entry.Technique ? entry.Technique->GetTechniqueName() : NoTechnique);
+    }
+  }
+  return "no such light casts shadows";
 }
 
 //------------------------------------------------------------------------------
@@ -353,8 +396,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   this->UpdateLights(renderer);
 
   // A selection shows ids, not light.
-  const bool shadowed =
-    !renderer->GetSelector() && this->Internal->Begin(this->Internal->FrameOf(s), true, false);
+  const vtkShadowFrame frame = this->Internal->FrameOf(s);
+  const bool shadowed = !renderer->GetSelector() && this->Internal->Begin(frame, true, false);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->Render(s);
@@ -367,8 +410,25 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   }
   if (shadowed)
   {
+    if (this->Internal->DebugView != NoView)
+    {
+      this->ShowDebugView(frame);
+    }
     this->Internal->End();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ShowDebugView(const vtkShadowFrame& frame)
+{
+  const std::string fault = this->Internal->DrawDebugView(frame);
+  if (!fault.empty() && fault != this->Internal->DebugFault)
+  {
+    vtkWarningMacro("The debug view \"" << this->Internal->DebugView
+                                        << "\" cannot be drawn: " << fault
+                                        << ". Give the light the technique \"stencil-volume\".");
+  }
+  this->Internal->DebugFault = fault;
 }
 
 //------------------------------------------------------------------------------
@@ -524,6 +584,48 @@ vtkRayCastShadowPass* vtkShadowPass::GetRayCastShadowPass()
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowPass::SetDebugView(const std::string& view)
+{
+  if (view != NoView && std::find(DebugViews.begin(), DebugViews.end(), view) == DebugViews.end())
+  {
+    std::string names;
+    for (const std::string& name : DebugViews)
+    {
+      names += name + ", ";
+    }
+    vtkErrorMacro("Debug view \"" << view << "\" is not known: use one of " << names << NoView
+                                  << ". It stays \"" << this->Internal->DebugView << "\".");
+    return false;
+  }
+  if (view != this->Internal->DebugView)
+  {
+    this->Internal->DebugView = view;
+    this->Modified();
+  }
+  return true;
+}
+
+std::string vtkShadowPass::GetDebugView() const
+{
+  return this->Internal->DebugView;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetDebugLight(vtkLight* light)
+{
+  if (light != this->Internal->DebugLight)
+  {
+    this->Internal->DebugLight = light;
+    this->Modified();
+  }
+}
+
+vtkLight* vtkShadowPass::GetDebugLight() const
+{
+  return this->Internal->DebugLight;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::SetDelegatePass(vtkRenderPass* delegate)
 {
   if (delegate != this->Internal->Delegate)
@@ -619,11 +721,44 @@ bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkIma
       << " float pixels to read visibility from. Use a smaller window.");
     return false;
   }
-  visibility->SetDimensions(frame.Size[0], frame.Size[1], 1);
-  visibility->AllocateScalars(VTK_FLOAT, 1);
-  std::copy(values.begin(), values.end(), static_cast<float*>(visibility->GetScalarPointer()));
-  visibility->GetPointData()->GetScalars()->SetName("Visibility");
-  visibility->Modified();
+  FillImage(visibility, frame, values, "Visibility");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetVolumeCounts(vtkRenderer* renderer, vtkLight* light, vtkImageData* counts)
+{
+  int index = 0;
+  if (!counts)
+  {
+    vtkErrorMacro("GetVolumeCounts(" << renderer << ", " << light
+                                     << ", nullptr): give a vtkImageData to fill.");
+    return false;
+  }
+  if (!this->FindLight(renderer, light, index))
+  {
+    return false;
+  }
+  Internals& my = *this->Internal;
+  const StateOfRenderer state(renderer);
+  const vtkShadowFrame frame = my.FrameOf(state.Get());
+  std::vector<float> values;
+  bool done = false;
+  if (my.Begin(frame, false, false))
+  {
+    const vtkShadowedShadingPass::LightPlan& entry = my.Plan[index];
+    auto* volumes = vtkStencilShadowVolumePass::SafeDownCast(entry.Technique);
+    done = volumes && volumes->CountAgain(frame, entry.Slot, values);
+    my.End();
+  }
+  if (!done)
+  {
+    vtkErrorMacro("Light " << light << " has no volumes to count: its technique is \""
+                           << this->GetLightTechnique(light)
+                           << "\", or nothing casts. Give it \"stencil-volume\".");
+    return false;
+  }
+  FillImage(counts, frame, values, "VolumeCounts");
   return true;
 }
 

@@ -58,6 +58,7 @@ class vtkRenderer;
 class vtkShadowScene;
 class vtkShadowTechniquePass;
 class vtkStencilShadowVolumePass;
+struct vtkShadowFrame;
 class vtkStringArray;
 
 class VTKSHADOWSPASSES_EXPORT vtkShadowPass : public vtkRenderPass
@@ -129,6 +130,30 @@ public:
 
   ///@{
   /**
+   * A view that explains the shadows of one light, drawn over the frame: "none" (default), or for a
+   * light of the technique "stencil-volume":
+   * - "volumes": the sides of its shadow volumes, blue where faces are counted before the receiver
+   *   (z-pass) and orange where behind it (z-fail);
+   * - "silhouette": the edges that the sides stand on, yellow, and magenta where more than one
+   *   stands;
+   * - "counts": in how many volumes each pixel's receiver lies: 1 to 6 from blue to red, more
+   *   purple, from 256 on white, below 0 grey.
+   * Another name is an error that lists the known ones, and changes nothing.
+   */
+  bool SetDebugView(const std::string& view);
+  std::string GetDebugView() const;
+  ///@}
+
+  ///@{
+  /**
+   * The light that the view explains; nullptr (default): the first that casts shadows.
+   */
+  void SetDebugLight(vtkLight* light);
+  vtkLight* GetDebugLight() const;
+  ///@}
+
+  ///@{
+  /**
    * The pass that draws the frame; nullptr (default): as the renderer draws it without a pass.
    */
   void SetDelegatePass(vtkRenderPass* delegate);
@@ -144,6 +169,14 @@ public:
    * be made.
    */
   bool GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility);
+
+  /**
+   * In how many shadow volumes of one light the receiver of each pixel lies, as GetVisibility gives
+   * visibility: one float component, 0 or less where lit; where there is no receiver it says
+   * nothing. The light's technique must be "stencil-volume". Of a light with a radius, its last
+   * sample.
+   */
+  bool GetVolumeCounts(vtkRenderer* renderer, vtkLight* light, vtkImageData* counts);
 
   /**
    * Seconds that a bare loop of Embree's rtcOccluded1 over all cores takes for the rays from the
@@ -191,6 +224,7 @@ private:
   void operator=(const vtkShadowPass&) = delete;
 
   bool FindLight(vtkRenderer* renderer, vtkLight* light, int& index);
+  void ShowDebugView(const vtkShadowFrame& frame);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

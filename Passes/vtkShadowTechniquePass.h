@@ -97,6 +97,12 @@ protected:
   ///@}
 
   /**
+   * Draw a view that explains the visibility of the light in `slot` over the frame, in the bound
+   * framebuffer: one of GetDebugViewNames. false if the technique has no such view.
+   */
+  virtual bool DrawDebugView(const vtkShadowFrame&, int, const std::string&) { return false; }
+
+  /**
    * LOOKUP: the matrix that makes every position lit, for what takes no shadows.
    */
   virtual const float* GetLitMatrix() const { return nullptr; }

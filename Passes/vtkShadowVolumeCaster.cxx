@@ -196,6 +196,22 @@ const vtkShadowVolumeCaster::Volume& vtkShadowVolumeCaster::UpdateVolume(
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowVolumeCaster::FindSilhouette(const Volume& volume, std::vector<std::uint32_t>& single,
+  std::vector<std::uint32_t>& several) const
+{
+  Scratch& scratch = SharedScratch();
+  std::vector<vtkshadows::SilhouetteEdge> edges;
+  vtkshadows::FaceTriangles(this->Mesh, volume.LightTC, volume.Faces, scratch.Signs);
+  vtkshadows::FindSilhouette(this->Mesh, scratch.Signs, edges);
+  for (const vtkshadows::SilhouetteEdge& edge : edges)
+  {
+    std::vector<std::uint32_t>& out = edge.multiplicity == 1 ? single : several;
+    out.push_back(2 * edge.from);
+    out.push_back(2 * edge.to);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowVolumeCaster::CountAtInfinity(
   const glm::dvec4& lightWC, const glm::dvec3& directionWC, CastingFaces faces) const
 {

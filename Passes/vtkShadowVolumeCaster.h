@@ -15,6 +15,7 @@
 #include "vtkWeakPointer.h"
 
 #include <cstddef>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,11 @@ public:
   const Volume& UpdateVolume(std::size_t slot, const glm::dvec4& lightWC, bool oneImage,
     vtkshadows::CastingFaces faces, vtkIdType& built);
 
+  // The silhouette that a volume stands on, as pairs of indices for lines: edges of multiplicity 1,
+  // and of more.
+  void FindSilhouette(const Volume& volume, std::vector<std::uint32_t>& single,
+    std::vector<std::uint32_t>& several) const;
+
   // How many casting triangles a ray from the light in `directionWC` crosses: in how many volumes
   // the point at infinity there lies.
   int CountAtInfinity(
@@ -88,7 +94,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   unsigned int PointBuffer = 0, PointTexture = 0;
-  std::vector<Volume> Volumes; // by slot
+  std::deque<Volume> Volumes; // by slot; who draws holds on to them
 };
 
 #endif

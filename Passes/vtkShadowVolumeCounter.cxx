@@ -5,9 +5,11 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowedShadingPass.h"
+#include "vtkStencilShadowVolumePassCountsFS.h"
 #include "vtkStencilShadowVolumePassFS.h"
 #include "vtkStencilShadowVolumePassResolveFS.h"
 #include "vtkStencilShadowVolumePassVS.h"
+#include "vtkStencilShadowVolumePassViewFS.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -27,6 +29,8 @@ namespace
 // puts between a cap and the surface that it lies on, and all of them alike, so that volumes stay
 // closed.
 constexpr float PushedBack = 4.0f;
+
+constexpr int MostInStencil = 255;
 
 std::array<float, 16> ToFloats(const glm::dmat4& m)
 {
@@ -64,6 +68,49 @@ private:
   GLuint Id = 0;
 };
 
+// What is blended over a frame: tested against its depths, which stay.
+class OverlayState
+{
+public:
+  explicit OverlayState(vtkOpenGLState* state)
+    : DepthMask(state)
+    , DepthFunc(state)
+    , BlendFunc(state)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+    , CullFace(state, GL_CULL_FACE)
+  {
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+    state->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+
+private:
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+};
+
+void DrawLines(const std::vector<std::uint32_t>& indices)
+{
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+    static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])), indices.data(), GL_STREAM_DRAW);
+  glDrawElements(GL_LINES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glDeleteBuffers(1, &buffer);
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -71,24 +118,16 @@ vtkShadowVolumeCounter::vtkShadowVolumeCounter() = default;
 vtkShadowVolumeCounter::~vtkShadowVolumeCounter() = default;
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumeCounter::Reserve(const vtkShadowFrame& frame, bool stencil, bool sums)
+bool vtkShadowVolumeCounter::Reserve(const vtkShadowFrame& frame, bool sums)
 {
   using Format = vtkShadowTextureArray::Format;
   const int width = frame.Size[0], height = frame.Size[1];
-  this->UsesStencil = stencil;
   this->Depth.Reserve(frame.Window, Format::Depth24Stencil8, width, height, 1);
-  bool done = this->Depth.Id() != 0;
-  if (!stencil)
-  {
-    this->Counts.Reserve(frame.Window, Format::R32F, width, height, 1);
-    done = done && this->Counts.Id() != 0;
-  }
   if (sums)
   {
     this->Sums.Reserve(frame.Window, Format::R32F, width, height, 1);
-    done = done && this->Sums.Id() != 0;
   }
-  return done;
+  return this->Depth.Id() != 0 && (!sums || this->Sums.Id() != 0);
 }
 
 //------------------------------------------------------------------------------
@@ -106,10 +145,57 @@ bool vtkShadowVolumeCounter::DrawReceivers(
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumeCounter::Begin(const vtkShadowFrame& frame, const Eye& eye, int start)
+bool vtkShadowVolumeCounter::Count(
+  const vtkShadowFrame& frame, const Eye& eye, const std::vector<Draw>& draws, int start, Way way)
 {
+  if (way == Way::Stencil && start < MostInStencil && this->Begin(frame, eye, start, way))
+  {
+    for (const Draw& draw : draws)
+    {
+      this->Add(draw, Phase::Additions);
+    }
+    const bool isWrong = this->HasOverflown();
+    for (const Draw& draw : draws)
+    {
+      if (!isWrong)
+      {
+        this->Add(draw, Phase::Subtractions);
+      }
+    }
+    this->End();
+    if (!isWrong)
+    {
+      return true;
+    }
+    ++this->NumberOfOverflows;
+  }
+  if (!this->Begin(frame, eye, start, way == Way::WrappingStencil ? way : Way::Float))
+  {
+    return false;
+  }
+  for (const Draw& draw : draws)
+  {
+    this->Add(draw, Phase::Everything);
+  }
+  this->End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumeCounter::Begin(const vtkShadowFrame& frame, const Eye& eye, int start, Way way)
+{
+  this->CurrentWay = way;
+  if (!this->UsesStencil())
+  {
+    this->Counts.Reserve(
+      frame.Window, vtkShadowTextureArray::Format::R32F, frame.Size[0], frame.Size[1], 1);
+    if (!this->Counts.Id())
+    {
+      return false;
+    }
+  }
   this->Scope.reset(new vtkShadowDrawScope(
-    frame.Window, this->Depth, 0, this->UsesStencil ? nullptr : &this->Counts, 0));
+    frame.Window, this->Depth, 0, this->UsesStencil() ? nullptr : &this->Counts, 0));
   if (!this->Scope->IsComplete())
   {
     this->Scope.reset();
@@ -120,9 +206,9 @@ bool vtkShadowVolumeCounter::Begin(const vtkShadowFrame& frame, const Eye& eye, 
   this->CurrentEye = eye;
   this->State->vtkglDepthMask(GL_FALSE);
   this->State->vtkglDisable(GL_CULL_FACE);
-  if (this->UsesStencil)
+  if (this->UsesStencil())
   {
-    const GLint count = start & 0xff;
+    const GLint count = start & MostInStencil;
     this->State->vtkglStencilMask(0xff);
     glClearBufferiv(GL_STENCIL, 0, &count);
     this->State->vtkglEnable(GL_STENCIL_TEST);
@@ -154,17 +240,35 @@ bool vtkShadowVolumeCounter::Begin(const vtkShadowFrame& frame, const Eye& eye, 
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumeCounter::SetRule(bool behind)
+// Whether any count stands at the stencil's end, where it may have been held up.
+bool vtkShadowVolumeCounter::HasOverflown()
 {
-  // A tie counts as behind, so that a lit surface is not in the volume that starts on it.
-  this->CountsBehind = behind;
-  this->State->vtkglDepthFunc(behind && !this->UsesStencil ? GL_GEQUAL : GL_LESS);
+  GLuint query = 0;
+  GLuint any = 0;
+  this->State->vtkglDisable(GL_SCISSOR_TEST);
+  this->State->vtkglDisable(GL_DEPTH_TEST);
+  this->State->vtkglDisable(GL_CULL_FACE);
+  this->State->vtkglStencilFunc(GL_EQUAL, MostInStencil, 0xff);
+  this->State->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  this->Frame->Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowFullScreenVS, vtkStencilShadowVolumePassFS, "");
+  glGenQueries(1, &query);
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &any);
+  glDeleteQueries(1, &query);
+  this->State->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
+  this->State->vtkglEnable(GL_DEPTH_TEST);
+  this->Frame->Window->GetShaderCache()->ReadyShaderProgram(this->Program);
+  return any != 0;
 }
 
 //------------------------------------------------------------------------------
-// Adds `front` for a face toward the eye, and `back` for one away from it.
+// Adds `front` for a face toward the eye, and `back` for one away from it, where it lies behind the
+// receiver or before it.
 void vtkShadowVolumeCounter::DrawSection(
-  const vtkShadowVolumeCaster::Section& section, int front, int back)
+  const vtkShadowVolumeCaster::Section& section, int front, int back, bool behind, Phase phase)
 {
   if (section.Count == 0)
   {
@@ -172,18 +276,40 @@ void vtkShadowVolumeCounter::DrawSection(
   }
   const auto count = static_cast<GLsizei>(section.Count);
   const auto* first = reinterpret_cast<const void*>(section.First * sizeof(std::uint32_t));
+  // A tie counts as behind, so that a lit surface is not in the volume that starts on it.
+  this->State->vtkglDepthFunc(behind && !this->UsesStencil() ? GL_GEQUAL : GL_LESS);
   int repeats = 1;
-  if (this->UsesStencil)
+  if (this->UsesStencil())
   {
+    const bool wraps = this->CurrentWay == Way::WrappingStencil;
     const GLenum faces[2] = { GL_FRONT, GL_BACK };
     const int weights[2] = { front, back };
     for (int i = 0; i < 2; ++i)
     {
-      const GLenum change = weights[i] > 0 ? GL_INCR_WRAP : GL_DECR_WRAP;
-      this->State->vtkglStencilOpSeparate(faces[i], GL_KEEP, this->CountsBehind ? change : GL_KEEP,
-        this->CountsBehind ? GL_KEEP : change);
+      const GLenum change =
+        weights[i] > 0 ? (wraps ? GL_INCR_WRAP : GL_INCR) : (wraps ? GL_DECR_WRAP : GL_DECR);
+      this->State->vtkglStencilOpSeparate(
+        faces[i], GL_KEEP, behind ? change : GL_KEEP, behind ? GL_KEEP : change);
     }
     repeats = std::abs(front);
+    if (phase != Phase::Everything)
+    {
+      const bool wantsFront = (front > 0) == (phase == Phase::Additions);
+      const bool wantsBack = (back > 0) == (phase == Phase::Additions);
+      if (!wantsFront && !wantsBack)
+      {
+        return;
+      }
+      if (wantsFront && wantsBack)
+      {
+        this->State->vtkglDisable(GL_CULL_FACE);
+      }
+      else
+      {
+        this->State->vtkglEnable(GL_CULL_FACE);
+        this->State->vtkglCullFace(wantsFront ? GL_BACK : GL_FRONT);
+      }
+    }
   }
   else
   {
@@ -194,11 +320,30 @@ void vtkShadowVolumeCounter::DrawSection(
   {
     glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, first);
   }
-  this->NumberOfTriangles += section.Count / 3;
+  this->NumberOfTriangles += phase == Phase::Subtractions ? 0 : section.Count / 3 * repeats;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumeCounter::Add(const Draw& draw)
+void vtkShadowVolumeCounter::SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld)
+{
+  const vtkShadowVolumeCaster& caster = *draw.Caster;
+  const vtkShadowVolumeCaster::Volume& volume = *draw.Volume;
+  const glm::dmat4 worldFromCaster = caster.GetWorldFromCaster();
+  std::array<float, 16> clipFromCaster = ToFloats(clipFromWorld * worldFromCaster);
+  this->Program->SetUniformMatrix4x4("shadowClipFromCaster", clipFromCaster.data());
+  SetVector(this->Program, "shadowLightTC", volume.LightTC);
+  // A plane is a row.
+  const glm::dvec4 farRow =
+    glm::dvec4(glm::dvec3(draw.FarPlaneWC), -draw.FarPlaneWC.w) * worldFromCaster;
+  SetVector(this->Program, "shadowFarPlaneTC", glm::dvec4(glm::dvec3(farRow), -farRow.w));
+  this->Program->SetUniformi("shadowAllAreImages", 0);
+  this->Program->SetUniformi("shadowNearSide", 0);
+  caster.BindPoints();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, volume.Buffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
 {
   const int width = this->Frame->Size[0], height = this->Frame->Size[1];
   const glm::dvec3 low = 0.5 * draw.Bounds.minimum + 0.5, high = 0.5 * draw.Bounds.maximum + 0.5;
@@ -215,35 +360,23 @@ void vtkShadowVolumeCounter::Add(const Draw& draw)
 
   const vtkShadowVolumeCaster& caster = *draw.Caster;
   const vtkShadowVolumeCaster::Volume& volume = *draw.Volume;
-  const glm::dmat4 worldFromCaster = caster.GetWorldFromCaster();
-  std::array<float, 16> clipFromCaster = ToFloats(this->CurrentEye.ClipFromWorld * worldFromCaster);
-  this->Program->SetUniformMatrix4x4("shadowClipFromCaster", clipFromCaster.data());
-  SetVector(this->Program, "shadowLightTC", volume.LightTC);
-  // A plane is a row.
-  const glm::dvec4 farRow =
-    glm::dvec4(glm::dvec3(draw.FarPlaneWC), -draw.FarPlaneWC.w) * worldFromCaster;
-  SetVector(this->Program, "shadowFarPlaneTC", glm::dvec4(glm::dvec3(farRow), -farRow.w));
-  this->Program->SetUniformi("shadowAllAreImages", 0);
-  this->Program->SetUniformi("shadowNearSide", 0);
-  caster.BindPoints();
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, volume.Buffer);
+  this->SetCaster(draw, this->CurrentEye.ClipFromWorld);
 
   // Behind a receiver a face away from the eye is where the way out of a volume is; before it, one
   // toward the eye is the way in. A mirrored caster shows its faces the other way round.
   const bool behind = draw.Faces == Rule::Fail;
   const int way = (behind ? -1 : 1) * (caster.IsMirrored() ? -1 : 1);
-  this->SetRule(behind);
-  this->DrawSection(volume.Singles, way, -way);
-  this->DrawSection(volume.Doubles, 2 * way, -2 * way);
+  this->DrawSection(volume.Singles, way, -way, behind, phase);
+  this->DrawSection(volume.Doubles, 2 * way, -2 * way, behind, phase);
   if (behind)
   {
-    this->DrawSection(volume.Caps, way, -way);
-    this->DrawSection(volume.TurnedCaps, -way, way);
+    this->DrawSection(volume.Caps, way, -way, behind, phase);
+    this->DrawSection(volume.TurnedCaps, -way, way, behind, phase);
     if (draw.FarCaps)
     {
       this->Program->SetUniformi("shadowAllAreImages", 1);
-      this->DrawSection(volume.Caps, -way, way);
-      this->DrawSection(volume.TurnedCaps, way, -way);
+      this->DrawSection(volume.Caps, -way, way, behind, phase);
+      this->DrawSection(volume.TurnedCaps, way, -way, behind, phase);
     }
   }
   else if (draw.Faces == Rule::PassCapped)
@@ -251,10 +384,10 @@ void vtkShadowVolumeCounter::Add(const Draw& draw)
     // Every triangle between the light and the near plane shadows that, whichever way it is seen.
     const glm::dvec4& plane = this->CurrentEye.NearPlaneWC;
     this->Program->SetUniformi("shadowNearSide", glm::dot(plane, draw.LightWC) > 0.0 ? 1 : -1);
-    SetVector(this->Program, "shadowNearPlaneTC", plane * worldFromCaster);
+    SetVector(this->Program, "shadowNearPlaneTC", plane * caster.GetWorldFromCaster());
     glEnable(GL_CLIP_DISTANCE0);
-    this->DrawSection(volume.Caps, 1, 1);
-    this->DrawSection(volume.TurnedCaps, 1, 1);
+    this->DrawSection(volume.Caps, 1, 1, behind, phase);
+    this->DrawSection(volume.TurnedCaps, 1, 1, behind, phase);
     glDisable(GL_CLIP_DISTANCE0);
   }
 }
@@ -271,11 +404,103 @@ void vtkShadowVolumeCounter::End()
   glBindTexture(GL_TEXTURE_BUFFER, 0);
   this->State->GetTextureUnitManager()->Free(this->PointUnit);
   this->PointUnit = -1;
-  if (this->UsesStencil)
+  if (this->UsesStencil())
   {
     this->State->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   }
   this->Scope.reset();
+}
+
+//------------------------------------------------------------------------------
+// Draws over the frame, without a trace in its depths; calls use(draw) for each, its caster set.
+template <typename Use>
+void vtkShadowVolumeCounter::Show(const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld,
+  const std::vector<Draw>& draws, const Use& use)
+{
+  this->State = frame.Window->GetState();
+  const OverlayState overlay(this->State);
+  const ScopedArrays arrays;
+  glEnable(GL_DEPTH_CLAMP);
+  this->Program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkStencilShadowVolumePassVS, vtkStencilShadowVolumePassViewFS, "");
+  this->PointUnit = this->State->GetTextureUnitManager()->Allocate();
+  this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->PointUnit));
+  this->Program->SetUniformi("shadowPointsTC", this->PointUnit);
+  for (const Draw& draw : draws)
+  {
+    this->SetCaster(draw, clipFromWorld);
+    use(draw);
+  }
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glDisable(GL_DEPTH_CLAMP);
+  this->State->GetTextureUnitManager()->Free(this->PointUnit);
+  this->PointUnit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumeCounter::ShowVolumes(
+  const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld, const std::vector<Draw>& draws)
+{
+  this->Show(frame, clipFromWorld, draws,
+    [this](const Draw& draw)
+    {
+      const float behind[4] = { 0.9f, 0.6f, 0.0f, 0.12f }, before[4] = { 0.0f, 0.45f, 0.7f, 0.12f };
+      this->Program->SetUniform4f("shadowViewColor", draw.Faces == Rule::Fail ? behind : before);
+      this->Program->SetUniformf("shadowPulledForward", 0.0f);
+      for (const auto& section : { draw.Volume->Singles, draw.Volume->Doubles })
+      {
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(section.Count), GL_UNSIGNED_INT,
+          reinterpret_cast<const void*>(section.First * sizeof(std::uint32_t)));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumeCounter::ShowSilhouettes(
+  const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld, const std::vector<Draw>& draws)
+{
+  float widest[2] = { 1.0f, 1.0f };
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widest);
+  this->Show(frame, clipFromWorld, draws,
+    [&](const Draw& draw)
+    {
+      std::vector<std::uint32_t> single, several;
+      draw.Caster->FindSilhouette(*draw.Volume, single, several);
+      const float one[4] = { 0.95f, 0.9f, 0.25f, 1.0f }, more[4] = { 0.9f, 0.2f, 0.6f, 1.0f };
+      this->State->vtkglLineWidth(std::min(2.0f, widest[1]));
+      this->Program->SetUniformf("shadowPulledForward", 1.0e-4f);
+      this->Program->SetUniform4f("shadowViewColor", one);
+      DrawLines(single);
+      this->Program->SetUniform4f("shadowViewColor", more);
+      DrawLines(several);
+      this->State->vtkglLineWidth(1.0f);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumeCounter::ShowCounts(const vtkShadowFrame& frame)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  const OverlayState overlay(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  int viewport[4];
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
+  const float scale[2] = { static_cast<float>(frame.Size[0]) / static_cast<float>(viewport[2]),
+    static_cast<float>(frame.Size[1]) / static_cast<float>(viewport[3]) };
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowFullScreenVS, vtkStencilShadowVolumePassCountsFS, "");
+  this->Counts.Activate();
+  this->Depth.Activate();
+  program->SetUniformi("shadowCounts", this->Counts.Unit());
+  program->SetUniformi("shadowDepths", this->Depth.Unit());
+  program->SetUniform2f("shadowViewOrigin", origin);
+  program->SetUniform2f("shadowViewScale", scale);
+  const ScopedArrays arrays;
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->Depth.Deactivate();
+  this->Counts.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -295,8 +520,7 @@ void vtkShadowVolumeCounter::DrawFullScreen(
 }
 
 //------------------------------------------------------------------------------
-// By the stencil itself: lit everywhere, then shadow where the count is not 0, then lit again where
-// it is negative.
+// By the stencil itself: lit where the count is 0, or below it if it wrapped.
 void vtkShadowVolumeCounter::ResolveStencil(const vtkShadowFrame& frame, float share, bool parity)
 {
   vtkOpenGLState* state = frame.Window->GetState();
@@ -309,7 +533,7 @@ void vtkShadowVolumeCounter::ResolveStencil(const vtkShadowFrame& frame, float s
   const ScopedArrays arrays;
   state->vtkglStencilFunc(GL_EQUAL, 0, parity ? 0x01 : 0xff);
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  if (!parity)
+  if (!parity && this->CurrentWay == Way::WrappingStencil)
   {
     state->vtkglStencilFunc(GL_EQUAL, 0x80, 0x80);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -323,7 +547,7 @@ void vtkShadowVolumeCounter::Resolve(
 {
   vtkShadowDrawScope target(frame.Window, this->Depth, 0, &masks, layer);
   frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  if (this->UsesStencil)
+  if (this->UsesStencil())
   {
     const float shadow[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
     glClearBufferfv(GL_COLOR, 0, shadow);
@@ -350,7 +574,7 @@ void vtkShadowVolumeCounter::AddToSum(const vtkShadowFrame& frame, float share, 
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  if (this->UsesStencil)
+  if (this->UsesStencil())
   {
     this->ResolveStencil(frame, share, parity);
     return;
@@ -371,7 +595,7 @@ void vtkShadowVolumeCounter::ResolveSum(
 void vtkShadowVolumeCounter::ReadCounts(const vtkShadowFrame& frame, std::vector<float>& counts)
 {
   counts.resize(static_cast<std::size_t>(frame.Size[0]) * frame.Size[1]);
-  if (this->UsesStencil)
+  if (this->UsesStencil())
   {
     vtkShadowDrawScope target(frame.Window, this->Depth, 0);
     std::vector<unsigned char> stencil(counts.size());

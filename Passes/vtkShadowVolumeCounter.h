@@ -1,8 +1,12 @@
 // In how many shadow volumes does the receiver of each pixel lie? The receivers' depth, a count a
 // pixel, and the draws that change it.
 //
-// Counts are floats that blending adds to, exact up to 2^24 volumes; or the stencil's 8 bits, which
-// wrap: exact up to 127 volumes, and blind to a multiple of 256.
+// Three ways to count:
+// - Stencil: the stencil's 8 bits, faces that add drawn ahead of those that take away. A count that
+//   reached 255 is seen, and then floats count instead: exact, and a third cheaper where, as almost
+//   everywhere, it does not happen;
+// - WrappingStencil: all faces in one go, modulo 256 (Heidmann 1991): right up to 127;
+// - Float: by blending, exact up to 2^24.
 #ifndef vtkShadowVolumeCounter_h
 #define vtkShadowVolumeCounter_h
 
@@ -21,6 +25,13 @@ class vtkShadowVolumeCounter
 public:
   vtkShadowVolumeCounter();
   ~vtkShadowVolumeCounter();
+
+  enum class Way
+  {
+    Stencil,
+    WrappingStencil,
+    Float
+  };
 
   // How the faces of one caster's volume are counted.
   enum class Rule
@@ -50,17 +61,16 @@ public:
     vtkshadows::ViewBounds Bounds; // nothing of it is wanted outside
   };
 
-  // Room for counts of the frame's size, and for sums of sample lights if `sums`. false if the
-  // driver has none.
-  bool Reserve(const vtkShadowFrame& frame, bool stencil, bool sums);
+  // Room for the receivers' depth and counts of the frame's size, and for sums of sample lights if
+  // `sums`. false if the driver has none.
+  bool Reserve(const vtkShadowFrame& frame, bool sums);
 
   // The depth of what is opaque in this frame, seen by `view`. false if the driver cannot.
   bool DrawReceivers(const vtkShadowFrame& frame, const vtkshadows::LightView& view);
 
-  // Between Begin and End: every count starts at `start`, and draws add to it.
-  bool Begin(const vtkShadowFrame& frame, const Eye& eye, int start);
-  void Add(const Draw& draw);
-  void End();
+  // Count all volumes of a light, from `start` on. false if the driver cannot.
+  bool Count(const vtkShadowFrame& frame, const Eye& eye, const std::vector<Draw>& draws, int start,
+    Way way);
 
   // Write the visibility that the counts tell to a layer of masks; as a share of it, added to the
   // sum, where one light is several samples.
@@ -69,23 +79,49 @@ public:
   void AddToSum(const vtkShadowFrame& frame, float share, bool parity);
   void ResolveSum(const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer);
 
-  // The counts of the last Begin: width * height floats, row by row from the bottom.
+  // Views that explain, over the frame in the bound framebuffer and its viewport: the volumes, from
+  // `clipFromWorld`, blue where faces are counted before the receiver and orange behind it; the
+  // silhouettes, yellow where one side stands on them and magenta where more do; the last counts,
+  // in floats, by colour.
+  void ShowVolumes(
+    const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld, const std::vector<Draw>& draws);
+  void ShowSilhouettes(
+    const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld, const std::vector<Draw>& draws);
+  void ShowCounts(const vtkShadowFrame& frame);
+
+  // The last counts: width * height floats, row by row from the bottom. Stencils know none below 0.
   void ReadCounts(const vtkShadowFrame& frame, std::vector<float>& counts);
 
-  // Faces handed to OpenGL since the last ResetNumberOfTriangles.
+  // Since they were last set to 0: faces handed to OpenGL; lights that stencils could not count.
   std::size_t NumberOfTriangles = 0;
+  std::size_t NumberOfOverflows = 0;
 
   void Release();
 
 private:
-  void SetRule(bool behind);
-  void DrawSection(const vtkShadowVolumeCaster::Section& section, int front, int back);
+  enum class Phase
+  {
+    Everything,
+    Additions,
+    Subtractions
+  };
+
+  bool UsesStencil() const { return this->CurrentWay != Way::Float; }
+  bool Begin(const vtkShadowFrame& frame, const Eye& eye, int start, Way way);
+  void End();
+  void Add(const Draw& draw, Phase phase);
+  bool HasOverflown();
+  void DrawSection(
+    const vtkShadowVolumeCaster::Section& section, int front, int back, bool behind, Phase phase);
+  void SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld);
+  template <typename Use>
+  void Show(const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld,
+    const std::vector<Draw>& draws, const Use& use);
   void DrawFullScreen(const vtkShadowFrame& frame, vtkShadowTextureArray& source, bool isSum,
     float share, bool parity);
   void ResolveStencil(const vtkShadowFrame& frame, float share, bool parity);
 
-  bool UsesStencil = false;
-  bool CountsBehind = false;
+  Way CurrentWay = Way::Stencil;
   vtkShadowTextureArray Depth, Counts, Sums;
   std::unique_ptr<vtkShadowDrawScope> Scope;
   const vtkShadowFrame* Frame = nullptr;

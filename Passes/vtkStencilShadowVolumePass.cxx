@@ -9,11 +9,9 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkPointData.h"
 #include "vtkProperty.h"
 
 #include <glm/geometric.hpp>
@@ -45,6 +43,14 @@ bool IsDrawnWhole(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece&
     property->GetAllTextures().empty();
 }
 
+// How a light was counted: to do it again, and to show it.
+struct Counting
+{
+  vtkShadowVolumeCounter::Eye Eye;
+  std::vector<vtkShadowVolumeCounter::Draw> Draws;
+  int Start = 0;
+};
+
 struct Caster
 {
   const vtkShadowScene::Prop* Prop = nullptr;
@@ -70,9 +76,7 @@ public:
   glm::dvec3 BackwardWC{ 0.0 }; // of a parallel eye: against its direction
   glm::dvec4 EyeWC{ 0.0 };      // as EyeMayBeShadowed wants it
   vtkShadowTextureArray Masks;
-  std::vector<float> Counts;
-  int CountSize[2] = { 0, 0 };
-  bool KeepsCounts = false;
+  std::vector<Counting> Countings; // by slot
 
   void GatherReceivers(const vtkShadowScene& scene);
   vtkshadows::LightView SetEye(const vtkShadowFrame& frame, bool infinite);
@@ -180,6 +184,23 @@ void vtkStencilShadowVolumePass::SetVariant(int variant)
 }
 
 //------------------------------------------------------------------------------
+void vtkStencilShadowVolumePass::SetCounter(int counter)
+{
+  if (counter < AUTOMATIC_COUNTER || counter > FLOAT_COUNTER)
+  {
+    vtkErrorMacro("Counter " << counter
+                             << " is none of vtkStencilShadowVolumePass::CounterType (0 to "
+                             << FLOAT_COUNTER << "). It stays " << this->Counter << ".");
+    return;
+  }
+  if (counter != this->Counter)
+  {
+    this->Counter = counter;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 // Bring every caster's mesh up to date, and drop those that are gone.
 void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
 {
@@ -238,6 +259,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->NumberOfZFailCasters = 0;
   this->NumberOfCulledCasters = 0;
   my.Counter.NumberOfTriangles = 0;
+  my.Counter.NumberOfOverflows = 0;
 
   const auto& sceneLights = frame.Scene->GetLights();
   const bool anySoft = std::any_of(
@@ -247,7 +269,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   my.GatherReceivers(*frame.Scene);
   this->UpdateCasters(frame);
   const vtkshadows::LightView view = my.SetEye(frame, this->InfiniteProjection);
-  if (!my.Masks.Id() || !my.Counter.Reserve(frame, this->StencilCounter, anySoft) ||
+  if (!my.Masks.Id() || !my.Counter.Reserve(frame, anySoft) ||
     !my.Counter.DrawReceivers(frame, view))
   {
     this->WarnOnce(this,
@@ -259,6 +281,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->WarnOnce(this, "");
 
   const bool parity = this->Variant == PARITY;
+  my.Countings.assign(lights.size(), {});
   for (std::size_t slot = 0; slot < lights.size(); ++slot)
   {
     const vtkshadows::ShadowLight& light = sceneLights[lights[slot]].Ray;
@@ -281,12 +304,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
     my.Counter.ResolveSum(frame, my.Masks, layer);
   }
   this->NumberOfFaces = static_cast<vtkIdType>(my.Counter.NumberOfTriangles);
-  if (my.KeepsCounts)
-  {
-    my.Counter.ReadCounts(frame, my.Counts);
-    my.CountSize[0] = frame.Size[0];
-    my.CountSize[1] = frame.Size[1];
-  }
+  this->NumberOfOverflows = static_cast<vtkIdType>(my.Counter.NumberOfOverflows);
   return true;
 }
 
@@ -361,22 +379,61 @@ bool vtkStencilShadowVolumePass::CountVolumes(
   vtkShadowVolumeCounter::Eye eye = my.Eye;
   eye.UsesDepthClamp =
     eye.UsesDepthClamp && (this->Variant == AUTOMATIC || this->Variant == Z_FAIL);
-  if (!my.Counter.Begin(frame, eye, start))
+  using Way = vtkShadowVolumeCounter::Way;
+  const Way way = this->Counter == WRAPPING_STENCIL ? Way::WrappingStencil
+    : this->Counter == FLOAT_COUNTER                ? Way::Float
+                                                    : Way::Stencil;
+  my.Countings[slot] = { eye, draws, start };
+  return my.Counter.Count(frame, eye, draws, start, way);
+}
+
+//------------------------------------------------------------------------------
+bool vtkStencilShadowVolumePass::CountAgain(
+  const vtkShadowFrame& frame, int slot, std::vector<float>& counts)
+{
+  Internals& my = *this->Internal;
+  const Counting& counting = my.Countings[slot];
+  if (!my.Counter.Count(
+        frame, counting.Eye, counting.Draws, counting.Start, vtkShadowVolumeCounter::Way::Float))
   {
     return false;
   }
-  for (const vtkShadowVolumeCounter::Draw& draw : draws)
-  {
-    my.Counter.Add(draw);
-  }
-  my.Counter.End();
+  my.Counter.ReadCounts(frame, counts);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkStencilShadowVolumePass::GetCounts(vtkImageData* counts)
+bool vtkStencilShadowVolumePass::DrawDebugView(
+  const vtkShadowFrame& frame, int slot, const std::string& view)
 {
-  return counts != nullptr;
+  Internals& my = *this->Internal;
+  const Counting& counting = my.Countings[slot];
+  if (view == "counts")
+  {
+    const bool done = my.Counter.Count(
+      frame, counting.Eye, counting.Draws, counting.Start, vtkShadowVolumeCounter::Way::Float);
+    if (done)
+    {
+      my.Counter.ShowCounts(frame);
+    }
+    return done;
+  }
+  // The frame has the camera's own depths.
+  const glm::dmat4 clipFromWorld =
+    vtkShadowMatrix::ToGlm(frame.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+      frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
+    frame.ViewFromWorld;
+  if (view == "volumes")
+  {
+    my.Counter.ShowVolumes(frame, clipFromWorld, counting.Draws);
+    return true;
+  }
+  if (view == "silhouette")
+  {
+    my.Counter.ShowSilhouettes(frame, clipFromWorld, counting.Draws);
+    return true;
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -421,7 +478,7 @@ void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Variant: " << this->Variant << "\n";
-  os << indent << "StencilCounter: " << this->StencilCounter << "\n";
+  os << indent << "Counter: " << this->Counter << "\n";
   os << indent << "OneSidedClosedPieces: " << this->OneSidedClosedPieces << "\n";
   os << indent << "Culling: " << this->Culling << "\n";
   os << indent << "Confinement: " << this->Confinement << "\n";
@@ -433,4 +490,5 @@ void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfZFailCasters: " << this->NumberOfZFailCasters << "\n";
   os << indent << "NumberOfCulledCasters: " << this->NumberOfCulledCasters << "\n";
   os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
+  os << indent << "NumberOfOverflows: " << this->NumberOfOverflows << "\n";
 }

@@ -42,8 +42,6 @@
 
 #include <memory> // for std::unique_ptr
 
-class vtkImageData;
-
 class VTKSHADOWSPASSES_EXPORT vtkStencilShadowVolumePass : public vtkShadowTechniquePass
 {
 public:
@@ -79,14 +77,26 @@ public:
   vtkGetMacro(Variant, int);
   ///@}
 
+  /**
+   * What the volumes are counted in.
+   * - AUTOMATIC_COUNTER (default): the stencil, faces that add ahead of those that take away; where
+   *   a count reached 255, that light is counted again in floats. Always right.
+   * - WRAPPING_STENCIL: the stencil, all in one go (Heidmann 1991): right up to 127 volumes one in
+   *   another, and blind to 256 of them.
+   * - FLOAT_COUNTER: floats, by blending. Always right; a third slower on software OpenGL.
+   */
+  enum CounterType
+  {
+    AUTOMATIC_COUNTER = 0,
+    WRAPPING_STENCIL = 1,
+    FLOAT_COUNTER = 2
+  };
   ///@{
   /**
-   * Count in the 8 bits of the stencil (on) instead of in floats (off, default). The stencil is
-   * right up to 127 volumes one in another, and blind to 256 of them.
+   * One of CounterType; another value is an error and changes nothing.
    */
-  vtkSetMacro(StencilCounter, bool);
-  vtkGetMacro(StencilCounter, bool);
-  vtkBooleanMacro(StencilCounter, bool);
+  void SetCounter(int counter);
+  vtkGetMacro(Counter, int);
   ///@}
 
   ///@{
@@ -156,6 +166,7 @@ public:
   vtkGetMacro(NumberOfZFailCasters, vtkIdType);
   vtkGetMacro(NumberOfCulledCasters, vtkIdType);
   vtkGetMacro(NumberOfFaces, vtkIdType);
+  vtkGetMacro(NumberOfOverflows, vtkIdType);
   ///@}
 
   ///@{
@@ -166,12 +177,6 @@ public:
   vtkIdType GetMemoryInBytes() const;
   vtkIdType GetNumberOfTriangles() const;
   ///@}
-
-  /**
-   * Counts of the last light (its last sample) in the last frame: an image of the viewport's size,
-   * one float component, origin bottom-left. false, with an error, if there was none.
-   */
-  bool GetCounts(vtkImageData* counts);
 
   const char* GetTechniqueName() const override { return "stencil-volume"; }
   VisibilityForm GetVisibilityForm() const override { return MASK; }
@@ -184,9 +189,14 @@ protected:
   bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   vtkShadowTextureArray* GetTextures() override;
   std::string GetSamplerName() const override { return "shadowVolumeMasks"; }
+  bool DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view) override;
+
+  friend class vtkShadowPass;
+  // The counts of the light in `slot`, in floats, of this frame: width * height, from the bottom.
+  bool CountAgain(const vtkShadowFrame& frame, int slot, std::vector<float>& counts);
 
   int Variant = AUTOMATIC;
-  bool StencilCounter = false;
+  int Counter = AUTOMATIC_COUNTER;
   bool OneSidedClosedPieces = true;
   bool Culling = true;
   bool Confinement = true;
@@ -198,6 +208,7 @@ protected:
   vtkIdType NumberOfZFailCasters = 0;
   vtkIdType NumberOfCulledCasters = 0;
   vtkIdType NumberOfFaces = 0;
+  vtkIdType NumberOfOverflows = 0;
 
 private:
   vtkStencilShadowVolumePass(const vtkStencilShadowVolumePass&) = delete;

@@ -7,6 +7,7 @@ uniform mat4 shadowClipFromCaster;
 uniform vec4 shadowLightTC;    // a position and 1, or the direction toward the light and 0
 uniform vec4 shadowFarPlaneTC; // n.x = w, where images lie; n = 0: at infinity
 uniform int shadowAllAreImages;
+uniform float shadowPulledForward; // share of the way to the eye, for edges drawn on their surface
 
 // The plane that a cap is thrown on, and 1 or -1 for the light's side of it; 0 to throw it on none.
 uniform vec4 shadowNearPlaneTC;
@@ -37,4 +38,5 @@ void main()
   bool isImage = shadowAllAreImages != 0 || (gl_VertexID & 1) != 0;
   gl_ClipDistance[0] = 1.0;
   gl_Position = shadowClipFromCaster * (isImage ? shadowImage(p) : vec4(p, 1.0));
+  gl_Position.z -= shadowPulledForward * abs(gl_Position.w);
 }
