@@ -8,6 +8,7 @@
 #include "vtkStencilShadowVolumePassCountsFS.h"
 #include "vtkStencilShadowVolumePassFS.h"
 #include "vtkStencilShadowVolumePassResolveFS.h"
+#include "vtkStencilShadowVolumePassSmoothFS.h"
 #include "vtkStencilShadowVolumePassVS.h"
 #include "vtkStencilShadowVolumePassViewFS.h"
 
@@ -31,6 +32,10 @@ namespace
 constexpr float PushedBack = 4.0f;
 
 constexpr int MostInStencil = 255;
+
+// Steps between sample lights' shadows are smoothed if they are no higher than so many of one
+// light.
+constexpr float SmoothedSteps = 2.0f;
 
 std::array<float, 16> ToFloats(const glm::dmat4& m)
 {
@@ -583,12 +588,34 @@ void vtkShadowVolumeCounter::AddToSum(const vtkShadowFrame& frame, float share, 
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowVolumeCounter::SmoothSum(const vtkShadowFrame& frame, float step)
+{
+  this->Counts.Reserve(
+    frame.Window, vtkShadowTextureArray::Format::R32F, frame.Size[0], frame.Size[1], 1);
+  if (!this->Counts.Id())
+  {
+    return false;
+  }
+  vtkShadowDrawScope target(frame.Window, this->Depth, 0, &this->Counts, 0);
+  frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowFullScreenVS, vtkStencilShadowVolumePassSmoothFS, "");
+  this->Sums.Activate();
+  program->SetUniformi("shadowSums", this->Sums.Unit());
+  program->SetUniformf("shadowLargest", SmoothedSteps * step);
+  const ScopedArrays arrays;
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->Sums.Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowVolumeCounter::ResolveSum(
-  const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer)
+  const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer, bool smoothed)
 {
   vtkShadowDrawScope target(frame.Window, this->Depth, 0, &masks, layer);
   frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  this->DrawFullScreen(frame, this->Sums, true, 1.0f, false);
+  this->DrawFullScreen(frame, smoothed ? this->Counts : this->Sums, true, 1.0f, false);
 }
 
 //------------------------------------------------------------------------------

@@ -77,7 +77,11 @@ public:
   void Resolve(const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer, bool parity);
   void ClearSum(const vtkShadowFrame& frame);
   void AddToSum(const vtkShadowFrame& frame, float share, bool parity);
-  void ResolveSum(const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer);
+  // Smooth steps of the sum that are about as high as `step`; edges stay. false if the driver
+  // cannot.
+  bool SmoothSum(const vtkShadowFrame& frame, float step);
+  void ResolveSum(
+    const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer, bool smoothed);
 
   // Views that explain, over the frame in the bound framebuffer and its viewport: the volumes, from
   // `clipFromWorld`, blue where faces are counted before the receiver and orange behind it; the

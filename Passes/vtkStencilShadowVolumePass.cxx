@@ -301,7 +301,9 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
       this->CountVolumes(frame, sample, slot);
       my.Counter.AddToSum(frame, 1.0f / static_cast<float>(samples.size()), parity);
     }
-    my.Counter.ResolveSum(frame, my.Masks, layer);
+    const bool smoothed =
+      this->Smoothing && my.Counter.SmoothSum(frame, 1.0f / static_cast<float>(samples.size()));
+    my.Counter.ResolveSum(frame, my.Masks, layer, smoothed);
   }
   this->NumberOfFaces = static_cast<vtkIdType>(my.Counter.NumberOfTriangles);
   this->NumberOfOverflows = static_cast<vtkIdType>(my.Counter.NumberOfOverflows);
@@ -483,6 +485,7 @@ void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Culling: " << this->Culling << "\n";
   os << indent << "Confinement: " << this->Confinement << "\n";
   os << indent << "InfiniteProjection: " << this->InfiniteProjection << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "LightSamples: " << this->LightSamples << "\n";
   os << indent << "NumberOfMeshBuilds: " << this->NumberOfMeshBuilds << "\n";
   os << indent << "NumberOfVolumeBuilds: " << this->NumberOfVolumeBuilds << "\n";

@@ -150,6 +150,17 @@ public:
 
   ///@{
   /**
+   * Smooth the steps between the sample lights' shadows (on, default): neighbouring pixels that
+   * differ by about one step, over up to eight pixels to each side; edges stay. Without effect on
+   * lights without a radius.
+   */
+  vtkSetMacro(Smoothing, bool);
+  vtkGetMacro(Smoothing, bool);
+  vtkBooleanMacro(Smoothing, bool);
+  ///@}
+
+  ///@{
+  /**
    * Since this pass was made: edge tables built (a caster is new or changed its shape), and volumes
    * built (a light moved relative to a caster).
    */
@@ -202,6 +213,7 @@ protected:
   bool Confinement = true;
   bool InfiniteProjection = false;
   int LightSamples = 32;
+  bool Smoothing = true;
   vtkIdType NumberOfMeshBuilds = 0;
   vtkIdType NumberOfVolumeBuilds = 0;
   vtkIdType NumberOfZPassCasters = 0;
