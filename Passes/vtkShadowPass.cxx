@@ -611,6 +611,17 @@ std::string vtkShadowPass::GetDebugView() const
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowPass::GetDebugViewNames(vtkStringArray* names)
+{
+  names->Initialize();
+  names->InsertNextValue(NoView);
+  for (const std::string& name : DebugViews)
+  {
+    names->InsertNextValue(name);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::SetDebugLight(vtkLight* light)
 {
   if (light != this->Internal->DebugLight)
