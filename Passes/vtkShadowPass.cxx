@@ -881,5 +881,7 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Internal->Default << "\n";
   os << indent << "Known techniques: " << this->Internal->KnownNames() << "\n";
   os << indent << "Lights with settings: " << this->Internal->Lights.size() << "\n";
+  os << indent << "DebugView: " << this->Internal->DebugView << "\n";
+  os << indent << "DebugLight: " << this->Internal->DebugLight.GetPointer() << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
 }

@@ -4,6 +4,7 @@ import unittest
 import numpy
 import vtkshadows
 from scene import SIZE, Scene
+from vtkmodules.vtkCommonCore import vtkObject
 
 SCENE = Scene()
 WIDTH, HEIGHT = SIZE
@@ -92,6 +93,19 @@ class TestVisibility(unittest.TestCase):
         volumes.OneSidedClosedPiecesOff()
         SCENE.window.Render()
         self.assertEqual(vtkshadows.volume_counts(SCENE.renderer)[SCENE.pixel(-1.5, -1.5)], 2)
+
+    def test_a_caster_that_was_flat_casts_again(self):
+        """A matrix without an inverse is warned of, and the next matrix is looked at by itself."""
+        vtkshadows.enable(SCENE.renderer, "stencil-volume")
+        SCENE.window.Render()
+        before = vtkshadows.visibility(SCENE.renderer)
+        vtkObject.GlobalWarningDisplayOff()
+        SCENE.sphere.SetScale(1, 1, 0)
+        SCENE.window.Render()
+        SCENE.sphere.SetScale(1, 1, 1)
+        vtkObject.GlobalWarningDisplayOn()
+        SCENE.window.Render()
+        self.assertTrue((vtkshadows.visibility(SCENE.renderer) == before).all())
 
     def test_debug_views_are_drawn_over_the_frame(self):
         vtkshadows.enable(SCENE.renderer, "stencil-volume")
