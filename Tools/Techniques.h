@@ -11,7 +11,7 @@ namespace vtkshadows
 // "none" included.
 std::vector<std::string> TechniqueNames();
 
-// For messages: "depth-map, ray-cast, none".
+// For messages: "depth-map, stencil-volume, ray-cast, none".
 std::string KnownTechniques();
 
 // Throws Failure, naming `option`, unless there is a technique `name`.
