@@ -40,8 +40,7 @@ void Require(const std::vector<std::string>& names, const std::string& option,
 {
   if (std::find(names.begin(), names.end(), name) == names.end())
   {
-    throw Failure(
-      option, name.empty() ? "''" : name, problem, "choose one of " + ListOf(names));
+    throw Failure(option, name.empty() ? "''" : name, problem, "choose one of " + ListOf(names));
   }
 }
 

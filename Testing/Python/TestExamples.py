@@ -1,5 +1,5 @@
 """The examples run: the first ones write the same picture, and it has a shadow; the volume is a file; the
-explained picture differs from the plain one."""
+picture that explains differs from the plain one."""
 import pathlib
 import re
 import subprocess
