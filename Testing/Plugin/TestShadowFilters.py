@@ -48,6 +48,7 @@ class TestShadowFilters(unittest.TestCase):
         for settings in (
             dict(),
             dict(Light=(0, 0, 2, 1)),
+            dict(ExtentMode="Length"),  # its default serves, though the source has not run yet
             dict(ExtentMode="Length", Length=LENGTH),
             dict(CastingFaces="All"),
             dict(Bounds=(-9, 9, -9, 9, -9, 9)),
@@ -64,6 +65,15 @@ class TestShadowFilters(unittest.TestCase):
                 self.assertEqual(set(parts), {0, 1, 2})
                 if "Bounds" in settings:
                     self.assertLess(points[:, 2].min(), -9)
+
+    def test_blocks_cast_one_by_one(self):
+        apart = simple.Sphere(Center=(3, 0, 0), Radius=RADIUS, ThetaResolution=48, PhiResolution=48)
+        alone, _ = fetch(ShadowVolume(Input=self.sphere))  # noqa: F821
+        both = ShadowVolume(Input=simple.GroupDatasets(Input=[self.sphere, apart]))  # noqa: F821
+        both.UpdatePipeline()
+        got, expected = both.GetDataInformation().GetNumberOfCells(), 2 * alone.GetNumberOfCells()
+        print(f"triangles of two blocks: got {got}, expected {expected}, tolerance 0")
+        self.assertEqual(got, expected)
 
     def test_volume_of_a_length(self):
         volume, points = fetch(
