@@ -611,6 +611,17 @@ std::string vtkShadowPass::GetDebugView() const
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowPass::GetDebugViewNames(vtkStringArray* names)
+{
+  names->Initialize();
+  names->InsertNextValue(NoView);
+  for (const std::string& name : DebugViews)
+  {
+    names->InsertNextValue(name);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::SetDebugLight(vtkLight* light)
 {
   if (light != this->Internal->DebugLight)
@@ -870,5 +881,7 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Internal->Default << "\n";
   os << indent << "Known techniques: " << this->Internal->KnownNames() << "\n";
   os << indent << "Lights with settings: " << this->Internal->Lights.size() << "\n";
+  os << indent << "DebugView: " << this->Internal->DebugView << "\n";
+  os << indent << "DebugLight: " << this->Internal->DebugLight.GetPointer() << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
 }

@@ -23,7 +23,7 @@
  * RECEIVES_SHADOWS 0: always lit.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
  * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
- * (ray-cast).
+ * (stencil-volume, ray-cast).
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
  * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
@@ -35,9 +35,11 @@
  *
  * @par Reference
  * Williams, L.: Casting curved shadows on curved surfaces, SIGGRAPH 1978 (depth maps);
+ * Crow, F.: Shadow algorithms for computer graphics, SIGGRAPH 1977 (shadow volumes);
  * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
  *
- * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkRayCastShadowPass vtkShadowErrorMeasure
+ * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkStencilShadowVolumePass vtkRayCastShadowPass
+ * vtkShadowErrorMeasure
  */
 #ifndef vtkShadowPass_h
 #define vtkShadowPass_h
@@ -101,8 +103,8 @@ public:
   ///@{
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
-   * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" softens by
-   * it; "depth-map" casts hard shadows whatever the radius.
+   * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" and
+   * "stencil-volume" soften by it; "depth-map" casts hard shadows whatever the radius.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;
@@ -142,6 +144,7 @@ public:
    */
   bool SetDebugView(const std::string& view);
   std::string GetDebugView() const;
+  static void GetDebugViewNames(vtkStringArray* names);
   ///@}
 
   ///@{

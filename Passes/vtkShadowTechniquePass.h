@@ -98,7 +98,7 @@ protected:
 
   /**
    * Draw a view that explains the visibility of the light in `slot` over the frame, in the bound
-   * framebuffer: one of GetDebugViewNames. false if the technique has no such view.
+   * framebuffer: one of vtkShadowPass::GetDebugViewNames. false if the technique has no such view.
    */
   virtual bool DrawDebugView(const vtkShadowFrame&, int, const std::string&) { return false; }
 

@@ -69,10 +69,13 @@ bool vtkShadowVolumeCaster::Update(
   const double determinant = glm::determinant(glm::dmat3(this->WorldFromCaster));
   this->Mirrored = determinant < 0.0;
   const bool isSingular = !(std::abs(determinant) > 0.0) || !std::isfinite(determinant);
-  this->Fault = isSingular && !this->IsEmpty()
-    ? "a matrix that flattens it or is not finite (its determinant is " +
-      std::to_string(determinant) + ")"
-    : this->Fault;
+  // A fault of the shape leaves no triangles; this one goes with the matrix.
+  if (!this->IsEmpty())
+  {
+    this->Fault = isSingular ? "a matrix that flattens it or is not finite (its determinant is " +
+        std::to_string(determinant) + ")"
+                             : "";
+  }
   return isStale;
 }
 

@@ -7,11 +7,14 @@
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace vtkshadows
 {
 namespace
 {
+
+constexpr int MostLightSamples = 4096;
 
 // The options as they are written.
 struct RawOptions
@@ -26,7 +29,9 @@ struct RawOptions
   std::string floor = "auto";
   std::optional<std::string> visibility;
   std::optional<std::string> json;
+  std::optional<std::string> debug;
   std::optional<int> resolution;
+  std::optional<int> lightSamples;
   std::optional<double> isovalue;
   std::optional<int> frames;
   bool quiet = false;
@@ -61,6 +66,11 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
   app.add_option("--resolution", raw.resolution, "texels on the longer side of a depth map")
     ->type_name("N");
   app
+    .add_option("--light-samples", raw.lightSamples,
+      "sample lights of a light with a radius, 1 to " + std::to_string(MostLightSamples) +
+        ", for stencil-volume (default 32) and ray-cast (default 64)")
+    ->type_name("N");
+  app
     .add_option(
       "--isovalue", raw.isovalue, "where images are contoured; default: middle of the range")
     ->type_name("V");
@@ -83,6 +93,11 @@ CLI::App* AddRender(CLI::App& app, RawOptions& raw)
     ->add_option("--visibility", raw.visibility,
       "also write each light's visibility, FILE-0.png, FILE-1.png, ...: 255 seen, 0 shadow")
     ->type_name("FILE.png");
+  render
+    ->add_option("--debug", raw.debug,
+      "a view that explains the first light of technique " + std::string(DebuggedTechnique) +
+        ", drawn over the picture: " + KnownDebugViews())
+    ->type_name("VIEW");
   AddSharedOptions(*render, raw);
   return render;
 }
@@ -104,12 +119,44 @@ CLI::App* AddCompare(CLI::App& app, RawOptions& raw)
   return compare;
 }
 
-void CheckCount(const std::string& option, const std::optional<int>& count)
+void CheckCount(const std::string& option, const std::optional<int>& count,
+  int most = std::numeric_limits<int>::max())
 {
+  if (count && *count > most)
+  {
+    throw Failure(option, std::to_string(*count), "is more than " + std::to_string(most),
+      "give 1 to " + std::to_string(most));
+  }
   if (count && *count < 1)
   {
     throw Failure(option, std::to_string(*count), "is less than 1", "give 1 or more");
   }
+}
+
+// The view, checked: some light must have what it shows.
+std::string InterpretDebugView(const RawOptions& raw, const Options& options)
+{
+  const std::string view = raw.debug.value_or("none");
+  RequireDebugView("--debug", view);
+  const std::string& shared = options.techniques.front();
+  std::vector<std::string> techniques;
+  for (const LightSpec& light : options.stage.lights)
+  {
+    techniques.push_back(light.technique.empty() ? shared : light.technique);
+  }
+  if (techniques.empty())
+  {
+    techniques.push_back(shared);
+  }
+  if (view != "none" &&
+    std::find(techniques.begin(), techniques.end(), DebuggedTechnique) == techniques.end())
+  {
+    throw Failure("--debug", view,
+      "shows shadow volumes, and no light is shadowed by them: the technique is " +
+        techniques.front(),
+      std::string("add --technique ") + DebuggedTechnique);
+  }
+  return view;
 }
 
 StageSettings InterpretStage(const RawOptions& raw)
@@ -135,6 +182,7 @@ StageSettings InterpretStage(const RawOptions& raw)
   stage.size = ParseSize(raw.size);
   stage.floor = ParseFloor(raw.floor);
   stage.resolution = raw.resolution;
+  stage.lightSamples = raw.lightSamples;
   return stage;
 }
 
@@ -177,6 +225,7 @@ Options Interpret(const RawOptions& raw, Job job)
 {
   CheckCount("--frames", raw.frames);
   CheckCount("--resolution", raw.resolution);
+  CheckCount("--light-samples", raw.lightSamples, MostLightSamples);
 
   Options options;
   options.inputs = raw.inputs;
@@ -198,6 +247,7 @@ Options Interpret(const RawOptions& raw, Job job)
     {
       options.techniques.push_back("depth-map");
     }
+    options.debugView = InterpretDebugView(raw, options);
   }
   return options;
 }

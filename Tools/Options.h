@@ -16,6 +16,7 @@ struct Options
   std::vector<std::string> inputs;
   std::string output;                  // render: the picture; compare: the folder
   std::vector<std::string> techniques; // render: one; compare: at least one
+  std::string debugView = "none";      // render
   StageSettings stage;
   std::optional<std::string> visibility; // the masks' name, with .png
   std::optional<std::string> json;

@@ -79,8 +79,10 @@ void RunRender(const Options& options, Progress& progress)
 
   progress.Begin("rendering");
   stage->UseTechnique(options.techniques.front());
+  stage->ShowDebugView(options.debugView);
   stage->Window().Render();
   outputs.Add(options.output, PngOfBytes(stage->Window().Picture()));
+  stage->ShowDebugView("none"); // which would cost time in the figures
   for (std::size_t light = 0; options.visibility && light < stage->Lights().size(); ++light)
   {
     outputs.Add(MaskPath(*options.visibility, light), VisibilityPng(*stage, light));

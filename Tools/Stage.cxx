@@ -1,6 +1,7 @@
 #include "Stage.h"
 
 #include "Failure.h"
+#include "Techniques.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -10,8 +11,10 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRayCastShadowPass.h>
 #include <vtkRenderer.h>
 #include <vtkShadowPass.h>
+#include <vtkStencilShadowVolumePass.h>
 
 namespace vtkshadows
 {
@@ -53,6 +56,7 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   this->renderer->GradientBackgroundOn();
 
   this->SetMapResolution(settings.resolution);
+  this->SetLightSamples(settings.lightSamples);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
@@ -89,6 +93,19 @@ void Stage::SetMapResolution(std::optional<int> resolution)
       "choose at most " + std::to_string(limit));
   }
   this->shadows->GetDepthShadowMapPass()->SetResolution(*resolution);
+}
+
+void Stage::SetLightSamples(std::optional<int> samples)
+{
+  if (!samples)
+  {
+    return;
+  }
+  this->shadows->GetStencilShadowVolumePass()->SetLightSamples(*samples);
+  if (vtkRayCastShadowPass* rayCast = this->shadows->GetRayCastShadowPass())
+  {
+    rayCast->SetLightSamples(*samples);
+  }
 }
 
 void Stage::AddMeshes(const std::vector<Mesh>& meshes)
@@ -167,6 +184,19 @@ std::string Stage::TechniqueOf(std::size_t light)
 {
   const std::string own = this->shadows->GetLightTechnique(this->lights[light]);
   return own.empty() ? this->shadows->GetTechnique() : own;
+}
+
+void Stage::ShowDebugView(const std::string& view)
+{
+  this->shadows->SetDebugLight(nullptr);
+  for (std::size_t i = this->lights.size(); i-- > 0;)
+  {
+    if (this->TechniqueOf(i) == DebuggedTechnique)
+    {
+      this->shadows->SetDebugLight(this->lights[i]);
+    }
+  }
+  this->shadows->SetDebugView(view);
 }
 
 void Stage::ShowShadows(bool shown)

@@ -29,7 +29,8 @@ struct StageSettings
   std::optional<glm::dvec3> up;
   FloorSpec floor;
   WindowSize size;
-  std::optional<int> resolution; // of depth maps, texels
+  std::optional<int> resolution;   // of depth maps, texels
+  std::optional<int> lightSamples; // of a light with a radius
 };
 
 class Stage
@@ -50,6 +51,9 @@ public:
   void UseTechnique(const std::string& technique);
   std::string TechniqueOf(std::size_t light);
 
+  // What explains the first light of DebuggedTechnique, over the frame; "none": nothing.
+  void ShowDebugView(const std::string& view);
+
   // Shadows on or off, as a user turns them: by the renderer's pass.
   void ShowShadows(bool shown);
 
@@ -57,6 +61,7 @@ public:
 
 private:
   void SetMapResolution(std::optional<int> resolution);
+  void SetLightSamples(std::optional<int> samples);
   void AddMeshes(const std::vector<Mesh>& meshes);
   void AddFloor(const FloorSpec& floor);
   void AddLight(const LightSpec& spec);

@@ -10,11 +10,13 @@
 
 namespace vtkshadows
 {
+namespace
+{
 
-std::vector<std::string> TechniqueNames()
+std::vector<std::string> NamesFrom(void (*fill)(vtkStringArray*))
 {
   vtkNew<vtkStringArray> array;
-  vtkShadowPass::GetTechniqueNames(array);
+  fill(array);
   std::vector<std::string> names;
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
   {
@@ -23,24 +25,55 @@ std::vector<std::string> TechniqueNames()
   return names;
 }
 
-std::string KnownTechniques()
+std::string ListOf(const std::vector<std::string>& names)
 {
   std::string list;
-  for (const std::string& name : TechniqueNames())
+  for (const std::string& name : names)
   {
     list += (list.empty() ? "" : ", ") + name;
   }
   return list;
 }
 
-void RequireTechnique(const std::string& option, const std::string& name)
+void Require(const std::vector<std::string>& names, const std::string& option,
+  const std::string& name, const std::string& problem)
 {
-  const std::vector<std::string> names = TechniqueNames();
   if (std::find(names.begin(), names.end(), name) == names.end())
   {
-    throw Failure(option, name.empty() ? "''" : name, "is no technique of this build",
-      "choose one of " + KnownTechniques());
+    throw Failure(option, name.empty() ? "''" : name, problem, "choose one of " + ListOf(names));
   }
+}
+
+std::vector<std::string> DebugViewNames()
+{
+  return NamesFrom(vtkShadowPass::GetDebugViewNames);
+}
+
+}
+
+std::vector<std::string> TechniqueNames()
+{
+  return NamesFrom(vtkShadowPass::GetTechniqueNames);
+}
+
+std::string KnownTechniques()
+{
+  return ListOf(TechniqueNames());
+}
+
+void RequireTechnique(const std::string& option, const std::string& name)
+{
+  Require(TechniqueNames(), option, name, "is no technique of this build");
+}
+
+std::string KnownDebugViews()
+{
+  return ListOf(DebugViewNames());
+}
+
+void RequireDebugView(const std::string& option, const std::string& name)
+{
+  Require(DebugViewNames(), option, name, "is no view that explains shadows");
 }
 
 }

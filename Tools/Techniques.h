@@ -1,4 +1,4 @@
-// The names that --technique and its kin take in this build.
+// The names that --technique and its kin, and --debug, take in this build.
 #ifndef vtkshadows_Techniques_h
 #define vtkshadows_Techniques_h
 
@@ -11,11 +11,16 @@ namespace vtkshadows
 // "none" included.
 std::vector<std::string> TechniqueNames();
 
-// For messages: "depth-map, ray-cast, none".
+// For messages: "depth-map, stencil-volume, ray-cast, none".
 std::string KnownTechniques();
 
 // Throws Failure, naming `option`, unless there is a technique `name`.
 void RequireTechnique(const std::string& option, const std::string& name);
+
+// The same of the views that explain, which are those of one technique.
+inline constexpr const char* DebuggedTechnique = "stencil-volume";
+std::string KnownDebugViews();
+void RequireDebugView(const std::string& option, const std::string& name);
 
 }
 

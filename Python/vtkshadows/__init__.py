@@ -7,6 +7,11 @@
 >>> vtkshadows.error(renderer).mismatch_percent  # against ray-cast truth
 0.017
 
+What the technique "stencil-volume" does can be looked at:
+
+>>> vtkshadows.enable(renderer, "stencil-volume", debug_view="volumes")
+>>> vtkshadows.volume_counts(renderer)  # NumPy, in how many shadow volumes each pixel lies
+
 Everywhere, `renderer` is a vtkRenderer, a PyVista plotter, or a window with one renderer; `light` is a
 vtkLight or an index among the renderer's switched-on lights, in their order. What cannot be done raises
 an error that names the value and the remedy: ValueError for an argument, RuntimeError with VTK's own
@@ -39,7 +44,11 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from .vtkShadowsFilters import vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
-from .vtkShadowsPasses import vtkShadowErrorMeasure, vtkShadowPass
+from .vtkShadowsPasses import (
+    vtkShadowErrorMeasure,
+    vtkShadowPass,
+    vtkStencilShadowVolumePass,
+)
 
 __all__ = [
     "ShadowError",
@@ -50,10 +59,12 @@ __all__ = [
     "set_receives_shadows",
     "techniques",
     "visibility",
+    "volume_counts",
     "vtkShadowErrorMeasure",
     "vtkShadowPass",
     "vtkShadowSilhouetteFilter",
     "vtkShadowVolumeFilter",
+    "vtkStencilShadowVolumePass",
 ]
 
 
@@ -61,11 +72,9 @@ def techniques() -> List[str]:
     """Names of the techniques there are in this build, "none" included.
 
     >>> vtkshadows.techniques()
-    ['depth-map', 'ray-cast', 'none']
+    ['depth-map', 'stencil-volume', 'ray-cast', 'none']
     """
-    names = vtkStringArray()
-    vtkShadowPass.GetTechniqueNames(names)
-    return [names.GetValue(i) for i in range(names.GetNumberOfValues())]
+    return _names_from(vtkShadowPass.GetTechniqueNames)
 
 
 def enable(
@@ -83,14 +92,23 @@ def enable(
     technique : one of techniques(), for every light. The pass that is returned takes one per light:
         `shadows.SetLightTechnique(light, "ray-cast")`.
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
-        of drawing if it has none. ray-cast needs one that draws at the renderer's own size: for
-        supersampling, say, make the vtkShadowPass that pass's delegate instead.
+        of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
+        size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
     resolution : depth-map: texels on the longer side of each map, 1 or more (2048).
-    light_samples : ray-cast: rays for a light with a radius, 1 to 4096 (64).
+    light_samples : stencil-volume and ray-cast, both: sample lights for a light with a radius, 1 to 4096
+        (32 for stencil-volume, 64 for ray-cast).
+    variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
+        "z-pass-capped" or "parity"; see vtkStencilShadowVolumePass::VariantType. The last three are
+        for comparison: they are wrong in some views.
+    counter : stencil-volume: what they are counted in: "automatic" (default), "wrapping-stencil" (wrong
+        from 128 volumes, one in another) or "float".
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
-    radius : 0 or more (0): size of every light that the renderer has now. ray-cast softens by it. World
-        units; for a directional light the tangent of its half-angle.
+    radius : 0 or more (0): size of every light that the renderer has now. stencil-volume and ray-cast
+        soften by it. World units; for a directional light the tangent of its half-angle.
+    debug_view : "none" (default), "volumes", "silhouette" or "counts": drawn over the frame, it explains
+        the first light that casts, whose technique must be stencil-volume; another light by
+        `shadows.SetDebugLight(light)`. Colours: see vtkShadowPass::SetDebugView.
 
     Returns
     -------
@@ -173,6 +191,33 @@ def visibility(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarray:
     with _VtkErrors(shadows) as errors:
         errors.require(shadows.GetVisibility(renderer, light, image))
     return _image_to_numpy(image)
+
+
+def volume_counts(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarray:
+    """In how many shadow volumes of a light lies what each pixel shows, in the current view.
+
+    Returns
+    -------
+    int32 array of shape (height, width), row 0 at the top as in `visibility`: 0 or less where lit. Where
+    nothing receives it says nothing. Of a light with a radius, its last sample light's.
+
+    Raises
+    ------
+    ValueError : no such light, or shadows are not enabled here.
+    RuntimeError : the light's technique is not "stencil-volume", or nothing casts; VTK's message.
+
+    Example
+    -------
+    >>> vtkshadows.volume_counts(renderer)[240, 320]  # of the pixel in row 240 and column 320
+    1
+    """
+    renderer = _find_renderer(renderer)
+    shadows = _require_shadow_pass(renderer)
+    light = _find_light(renderer, light)
+    image = vtkImageData()
+    with _VtkErrors(shadows) as errors:
+        errors.require(shadows.GetVolumeCounts(renderer, light, image))
+    return numpy.rint(_image_to_numpy(image)).astype(numpy.int32)
 
 
 @dataclass(frozen=True)
@@ -277,6 +322,12 @@ def _in_range(name, number, low, high):
     return number
 
 
+def _one_of(name: str, value: Any, known: Any) -> Any:
+    if value not in list(known):
+        raise ValueError(f"{name}: {value!r} is not known; there are {', '.join(known)}")
+    return value
+
+
 def _ray_cast(shadows: vtkShadowPass) -> Any:
     technique = shadows.GetRayCastShadowPass()
     if technique is None:
@@ -291,11 +342,45 @@ def _set_resolution(shadows, renderer, value):
 
 
 def _set_light_samples(shadows, renderer, value):
-    _ray_cast(shadows).SetLightSamples(value)
+    shadows.GetStencilShadowVolumePass().SetLightSamples(value)
+    if shadows.GetRayCastShadowPass() is not None:
+        shadows.GetRayCastShadowPass().SetLightSamples(value)
 
 
 def _set_epsilon_scale(shadows, renderer, value):
     _ray_cast(shadows).SetEpsilonScale(value)
+
+
+_VARIANTS = {
+    "automatic": vtkStencilShadowVolumePass.AUTOMATIC,
+    "z-fail": vtkStencilShadowVolumePass.Z_FAIL,
+    "z-pass": vtkStencilShadowVolumePass.Z_PASS,
+    "z-pass-capped": vtkStencilShadowVolumePass.Z_PASS_CAPPED,
+    "parity": vtkStencilShadowVolumePass.PARITY,
+}
+
+
+def _set_variant(shadows, renderer, value):
+    shadows.GetStencilShadowVolumePass().SetVariant(_VARIANTS[value])
+
+
+_COUNTERS = {
+    "automatic": vtkStencilShadowVolumePass.AUTOMATIC_COUNTER,
+    "wrapping-stencil": vtkStencilShadowVolumePass.WRAPPING_STENCIL,
+    "float": vtkStencilShadowVolumePass.FLOAT_COUNTER,
+}
+
+
+def _set_counter(shadows, renderer, value):
+    shadows.GetStencilShadowVolumePass().SetCounter(_COUNTERS[value])
+
+
+def _debug_views() -> List[str]:
+    return _names_from(vtkShadowPass.GetDebugViewNames)
+
+
+def _set_debug_view(shadows, renderer, value):
+    shadows.SetDebugView(value)
 
 
 def _set_strength(shadows, renderer, value):
@@ -318,6 +403,9 @@ _SETTINGS = {
     "resolution": _Setting(lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_resolution),
     "light_samples": _Setting(lambda n, v: _whole_number(n, v, 1, 4096), _set_light_samples),
     "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
+    "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),
+    "counter": _Setting(lambda n, v: _one_of(n, v, _COUNTERS), _set_counter),
+    "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
     "radius": _Setting(lambda n, v: _number(n, v, 0), _set_radius),
 }
@@ -334,6 +422,12 @@ def _check_technique(technique):
     known = techniques()
     if technique not in known:
         raise ValueError(f"unknown technique {technique!r}; there are {', '.join(known)}")
+
+
+def _names_from(fill: Any) -> List[str]:
+    names = vtkStringArray()
+    fill(names)
+    return [names.GetValue(i) for i in range(names.GetNumberOfValues())]
 
 
 # --- Finding things --------------------------------------------------------------------------------
@@ -422,6 +516,7 @@ class _VtkErrors:
         parts = (
             shadows,
             shadows.GetDepthShadowMapPass(),
+            shadows.GetStencilShadowVolumePass(),
             shadows.GetRayCastShadowPass(),
             shadows.GetScene(),
             *others,

@@ -29,6 +29,10 @@ class TestArguments(unittest.TestCase):
             ("resolution: 1.5 is not a whole number", dict(resolution=1.5)),
             ("light_samples: 5000 .* give 1 to 4096", dict(light_samples=5000)),
             ("epsilon_scale: 0.0 is out of range", dict(epsilon_scale=0)),
+            ("variant: 'zfail' is not known; there are automatic, z-fail", dict(variant="zfail")),
+            ("variant: 1 is not known", dict(variant=1)),
+            ("counter: 'abacus' .* automatic, wrapping-stencil, float", dict(counter="abacus")),
+            ("debug_view: 'x-ray' .* none, volumes, silhouette, counts", dict(debug_view="x-ray")),
             ("strength: 1.5 is out of range; give 0 to 1", dict(strength=1.5)),
             ("strength: nan is out of range", dict(strength=math.nan)),
             ("strength: 'dark' is not a number", dict(strength="dark")),
@@ -44,9 +48,18 @@ class TestArguments(unittest.TestCase):
         self.assertEqual(shadows.GetDepthShadowMapPass().GetResolution(), 512)
         self.assertEqual(shadows.GetLightStrength(SCENE.light), 0.25)
         self.assertEqual(shadows.GetLightRadius(SCENE.light), 2)
+        volumes = shadows.GetStencilShadowVolumePass()
+        vtkshadows.enable(
+            SCENE.renderer, "stencil-volume", variant="z-pass-capped", counter="float", debug_view="counts"
+        )
+        self.assertEqual((volumes.GetVariant(), volumes.GetCounter()), (3, 2))
+        self.assertEqual(shadows.GetDebugView(), "counts")
+        vtkshadows.enable(SCENE.renderer, light_samples=16)
+        self.assertEqual(volumes.GetLightSamples(), 16)
+        self.assertEqual(volumes.GetVariant(), 3)  # what is not named stays
         ray_cast = shadows.GetRayCastShadowPass()
         if ray_cast:
-            vtkshadows.enable(SCENE.renderer, light_samples=16, epsilon_scale=2)
+            vtkshadows.enable(SCENE.renderer, epsilon_scale=2)
             self.assertEqual((ray_cast.GetLightSamples(), ray_cast.GetEpsilonScale()), (16, 2))
 
     def test_what_has_a_renderer(self):
@@ -68,10 +81,11 @@ class TestArguments(unittest.TestCase):
             self.assert_refused("not a vtkRenderer", vtkshadows.enable, thing)
 
     def test_lights(self):
-        for call in (vtkshadows.visibility, vtkshadows.error):
+        calls = (vtkshadows.visibility, vtkshadows.error, vtkshadows.volume_counts)
+        for call in calls:
             self.assert_refused("no shadows; call vtkshadows.enable", call, SCENE.renderer)
         vtkshadows.enable(SCENE.renderer)
-        for call in (vtkshadows.visibility, vtkshadows.error):
+        for call in calls:
             self.assert_refused("light: 1 is out of range", call, SCENE.renderer, 1)
             self.assert_refused("light: -1 is out of range", call, SCENE.renderer, -1)
             self.assert_refused("'sun' is neither a vtkLight", call, SCENE.renderer, "sun")
@@ -90,6 +104,21 @@ class TestArguments(unittest.TestCase):
         no_window.AddLight(vtkLight())
         vtkshadows.enable(no_window)
         self.assert_refused("window", vtkshadows.visibility, no_window, kind=RuntimeError)
+
+        vtkshadows.enable(SCENE.renderer, "depth-map")
+        SCENE.window.Render()
+        self.assert_refused(
+            'technique is "depth-map".* Give it "stencil-volume"',
+            vtkshadows.volume_counts,
+            SCENE.renderer,
+            kind=RuntimeError,
+        )
+
+        # Of the technique itself, and not only of the pass.
+        shadows = vtkshadows.enable(SCENE.renderer, "stencil-volume")
+        with self.assertRaisesRegex(RuntimeError, "Variant 9 is none of"):
+            with vtkshadows._VtkErrors(shadows):
+                shadows.GetStencilShadowVolumePass().SetVariant(9)
 
 
 if __name__ == "__main__":

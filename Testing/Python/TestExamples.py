@@ -1,4 +1,5 @@
-"""The examples run: the first ones write the same picture, and it has a shadow; the volume is a file."""
+"""The examples run: the first ones write the same picture, and it has a shadow; the volume is a file; the
+picture that explains differs from the plain one."""
 import pathlib
 import re
 import subprocess
@@ -9,8 +10,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-PYTHON_EXAMPLE, CXX_EXAMPLE, VOLUME_EXAMPLE = sys.argv[1:4]
-FOLDER = pathlib.Path(sys.argv[4])
+PYTHON_EXAMPLE, CXX_EXAMPLE, VOLUME_EXAMPLE, STENCIL_EXAMPLE = sys.argv[1:5]
+FOLDER = pathlib.Path(sys.argv[5])
 
 
 def read_png(path):
@@ -57,6 +58,20 @@ class TestExamples(unittest.TestCase):
         reader.Update()
         print(f"triangles in the file: got {reader.GetOutput().GetNumberOfCells()}, expected {count}")
         self.assertEqual(reader.GetOutput().GetNumberOfCells(), count)
+
+    def test_stencil_volumes(self):
+        files = [FOLDER / "stencil_volumes.png", FOLDER / "stencil_volumes-explained.png"]
+        for file in files:
+            file.unlink(missing_ok=True)
+        done = run(sys.executable, STENCIL_EXAMPLE, *map(str, files))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        layers = int(re.fullmatch(r"most layers over a pixel: (\d+)\n", done.stdout)[1])
+        print(f"layers: got {layers}, expected 2 or more: the strip crosses over itself")
+        self.assertGreaterEqual(layers, 2)
+        plain, explained = map(read_png, files)
+        different = int((plain != explained).any(axis=2).sum())
+        print(f"pixels that differ: got {different}, expected 1000 or more")
+        self.assertGreaterEqual(different, 1000)
 
 
 if __name__ == "__main__":

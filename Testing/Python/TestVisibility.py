@@ -4,6 +4,7 @@ import unittest
 import numpy
 import vtkshadows
 from scene import SIZE, Scene
+from vtkmodules.vtkCommonCore import vtkObject
 
 SCENE = Scene()
 WIDTH, HEIGHT = SIZE
@@ -66,6 +67,67 @@ class TestVisibility(unittest.TestCase):
         vtkshadows.enable(SCENE.renderer, strength=0.5)
         SCENE.window.Render()
         self.assert_shadow_at(vtkshadows.visibility(SCENE.renderer), -1.5, -1.5)
+
+    def test_volume_counts(self):
+        vtkshadows.enable(SCENE.renderer, "stencil-volume")
+        SCENE.window.Render()
+        for settings, expected in (
+            (dict(variant="automatic"), 1),
+            (dict(variant="z-fail", counter="wrapping-stencil"), 1),
+            (dict(variant="z-pass", counter="float"), 1),
+        ):
+            with self.subTest(**settings):
+                vtkshadows.enable(SCENE.renderer, "stencil-volume", **settings)
+                SCENE.window.Render()
+                counts = vtkshadows.volume_counts(SCENE.renderer, SCENE.light)
+                self.assertEqual((counts.shape, counts.dtype), ((HEIGHT, WIDTH), numpy.int32))
+                self.assertEqual(counts[SCENE.pixel(-1.5, -1.5)], expected)
+                self.assertLessEqual(counts[SCENE.pixel(1.5, 1.5)], 0)
+                # Everything in this picture receives.
+                mask = vtkshadows.visibility(SCENE.renderer, SCENE.light)
+                self.assertEqual(int(((counts > 0) != (mask < 0.5)).sum()), 0)
+        vtkshadows.enable(SCENE.renderer, "stencil-volume", variant="automatic", counter="automatic")
+
+        # Both sides of the sphere cast if every face must.
+        volumes = SCENE.renderer.GetPass().GetStencilShadowVolumePass()
+        volumes.OneSidedClosedPiecesOff()
+        SCENE.window.Render()
+        self.assertEqual(vtkshadows.volume_counts(SCENE.renderer)[SCENE.pixel(-1.5, -1.5)], 2)
+
+    def test_a_caster_that_was_flat_casts_again(self):
+        """A matrix without an inverse is warned of, and the next matrix is looked at by itself."""
+        vtkshadows.enable(SCENE.renderer, "stencil-volume")
+        SCENE.window.Render()
+        before = vtkshadows.visibility(SCENE.renderer)
+        vtkObject.GlobalWarningDisplayOff()
+        SCENE.sphere.SetScale(1, 1, 0)
+        SCENE.window.Render()
+        SCENE.sphere.SetScale(1, 1, 1)
+        vtkObject.GlobalWarningDisplayOn()
+        SCENE.window.Render()
+        self.assertTrue((vtkshadows.visibility(SCENE.renderer) == before).all())
+
+    def test_debug_views_are_drawn_over_the_frame(self):
+        vtkshadows.enable(SCENE.renderer, "stencil-volume")
+        plain = SCENE.frame()
+        mask = vtkshadows.visibility(SCENE.renderer)
+        for view in ("volumes", "silhouette", "counts", "none"):
+            with self.subTest(view=view):
+                vtkshadows.enable(SCENE.renderer, "stencil-volume", debug_view=view)
+                different = int((SCENE.frame() != plain).any(axis=2).sum())
+                print(f"{view}: pixels that differ: got {different}, expected {view != 'none'}")
+                self.assertEqual(different > 50, view != "none")
+                self.assertEqual(different == 0, view == "none")
+                self.assertTrue((vtkshadows.visibility(SCENE.renderer) == mask).all())
+
+    def test_light_samples(self):
+        """One name for both soft techniques: of two samples each, a pixel sees none, one or both."""
+        for technique in {"stencil-volume", "ray-cast"} & set(vtkshadows.techniques()):
+            with self.subTest(technique=technique):
+                vtkshadows.enable(SCENE.renderer, technique, radius=0.1, light_samples=2)
+                SCENE.window.Render()
+                steps = numpy.unique(numpy.rint(2 * vtkshadows.visibility(SCENE.renderer)))
+                self.assertEqual(list(steps), [0, 1, 2])
 
     @unittest.skipUnless("ray-cast" in vtkshadows.techniques(), "a build without Embree")
     def test_error(self):

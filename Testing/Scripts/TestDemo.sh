@@ -24,11 +24,10 @@ rm -rf "$root/demo-output"
 log=$("$root/Scripts/demo" 2>&1)
 check "status of Scripts/demo" $? 0
 check "time of the command's last build" "$(stat -c %Y "$root/build/bin/vtkshadows")" "$built"
-for name in unshadowed depth-map depth-map-visibility-0 depth-map-error-0 ray-cast ray-cast-visibility-0 \
-  ray-cast-error-0; do
+for name in unshadowed {depth-map,stencil-volume,ray-cast}{,-visibility-0,-error-0}; do
   check "$name.png is a PNG" "$(head -c 4 "$root/demo-output/$name.png" | tail -c 3)" PNG
 done
-for technique in depth-map ray-cast; do
+for technique in depth-map stencil-volume ray-cast; do
   check "rows of $technique in the table" "$(grep -c "^$technique " <<< "$log")" 1
 done
 

@@ -29,7 +29,7 @@ SCENE = ["plate.off", *VIEW, "--floor", "0,0,1,0"]
 # A light that travels toward +y: the shadow lies beyond the plate, in the upper half of the picture.
 # It is one unit square, less what the plate hides of it.
 shadow_pixels = (1.5 - 0.5 * EYE / (EYE - 1)) * PIXELS_PER_UNIT**2
-for technique in ("depth-map", "ray-cast"):
+for technique in ("depth-map", "stencil-volume", "ray-cast"):
     succeed("render", *SCENE, "--light", "directional:0,1,-1", "--technique", technique,
             "-o", f"{technique}.png", "--visibility", f"{technique}-mask.png")  # fmt: skip
     picture, mask = Image(f"{technique}.png"), Image(f"{technique}-mask-0.png")
@@ -70,12 +70,39 @@ succeed("render", *SCENE, "--light", light + "@strength=0", "-o", "weak.png")
 check("picture at strength 0 is that without technique",
       Image("weak.png").rows == Image("none.png").rows, True)  # fmt: skip
 
-# A light with a radius is soft: some pixels are between 0 and 255.
-succeed("render", *SCENE, "--light", light + "@radius=0.1", "--technique", "ray-cast",
-        "-o", "soft.png", "--visibility", "soft-mask.png")  # fmt: skip
-soft = Image("soft-mask-0.png")
-between = WIDTH * HEIGHT - soft.count((255,)) - soft.count((0,))
-check("a soft light's mask has half-shadow", between > 20, True)
+# A light with a radius is soft: some pixels are between 0 and 255. With two sample lights there is one
+# value between, at the middle.
+for technique in ("stencil-volume", "ray-cast"):
+    for samples in ([], ["--light-samples", 2]):
+        succeed("render", *SCENE, "--light", light + "@radius=0.1", "--technique", technique, *samples,
+                "-o", "soft.png", "--visibility", "soft-mask.png")  # fmt: skip
+        soft = Image("soft-mask-0.png")
+        between = {value for row in soft.rows for value in row} - {(0,), (255,)}
+        pixels = sum(map(soft.count, between))
+        check(f"{technique}: a soft light's mask has half-shadow", pixels > 20, True)
+        check(f"{technique}: more than one value between", len(between) > 1, not samples)
+
+# Views that explain: each is another picture than the plain one, the masks stay. Blue are the volumes
+# counted before the receiver, and a count of 1; yellow is the silhouette.
+CAST = [*SCENE, "--light", light, "--light", "directional:0,1,-1@technique=depth-map@intensity=0.1"]
+OTHER = [*CAST[:-2], "--light", "directional:0,1,-1@technique=stencil-volume@intensity=0.1"]
+succeed("render", *CAST, "--technique", "stencil-volume", "--debug", "none", "-o", "plain.png")
+succeed("render", *CAST, "--technique", "stencil-volume", "-o", "same.png")
+check("--debug none is the plain picture", Image("plain.png").rows == Image("same.png").rows, True)
+plain = Image("plain.png")
+for view, hue in (
+    ("volumes", lambda r, g, b: b - r),
+    ("counts", lambda r, g, b: b - r),
+    ("silhouette", lambda r, g, b: min(r, g) - b),
+):
+    # The second time the light to explain is not the first.
+    for name, arguments in ((view, [*CAST, "--technique", "stencil-volume"]), (f"{view}-1", OTHER)):
+        succeed("render", *arguments, "--debug", view, "-o", f"{name}.png", "--visibility", "debug.png")
+        shown = Image(f"{name}.png")
+        drawn = sum(hue(*now) > 20 + hue(*before) for rows in zip(shown.rows, plain.rows)
+                    for now, before in zip(*rows))  # fmt: skip
+        check(f"{name}: 50 or more of {drawn} pixels are nearer to its colour", drawn >= 50, True)
+        check(f"{name}: mask in the shadow", mask_at(Image("debug-0.png"), 0, 1), 0)
 
 # JSON names each light's own technique, and has the frame's times.
 succeed("render", *SCENE, "-o", "timed.png", "--json", "timed.json", "--frames", 2,
