@@ -3,6 +3,7 @@
 #include "ShadowReach.h"
 #include "vtkDepthShadowMapPassLookup.h"
 #include "vtkShadowDrawScope.h"
+#include "vtkShadowHiddenFaces.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
@@ -11,6 +12,7 @@
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProp3D.h"
 #include "vtkShaderProgram.h"
 
 #include <glm/geometric.hpp>
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 vtkStandardNewMacro(vtkDepthShadowMapPass);
 
@@ -135,9 +138,35 @@ public:
   std::vector<MapState> States;       // one a slot
   std::vector<ShaderMatrix> Matrices; // one a slot
   std::vector<BoxCorners> Receivers;  // of this frame, the same for every light
+  vtkShadowHiddenFaces HiddenFaces;
   int UsedResolution = 0;
   int RefusedResolution = 0;
+
+  std::unordered_map<vtkProp*, unsigned int> CulledFaces(
+    const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
+    const ShadowLight& light);
 };
+
+//------------------------------------------------------------------------------
+std::unordered_map<vtkProp*, unsigned int> vtkDepthShadowMapPass::Internals::CulledFaces(
+  const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
+  const ShadowLight& light)
+{
+  const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
+  std::unordered_map<vtkProp*, unsigned int> culled;
+  for (const std::size_t i : casters)
+  {
+    for (const vtkShadowScene::Piece& piece : props[i].Pieces)
+    {
+      const vtkShadowHiddenFaces::Side hidden = this->HiddenFaces.Of(piece, lightWC);
+      if (hidden != vtkShadowHiddenFaces::Side::None)
+      {
+        culled[piece.Prop] = hidden == vtkShadowHiddenFaces::Side::Back ? GL_BACK : GL_FRONT;
+      }
+    }
+  }
+  return culled;
+}
 
 //------------------------------------------------------------------------------
 vtkDepthShadowMapPass::vtkDepthShadowMapPass()
@@ -217,6 +246,7 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
       }
     }
   }
+  my.HiddenFaces.BeginFrame(frame.Scene->GetProps());
   for (int slot = 0; slot < slots; ++slot)
   {
     this->UpdateMap(frame, lights[slot], slot);
@@ -279,7 +309,8 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
     // All of the layer is cleared, and its outermost texels stay so: what lies off the map is lit.
     target.Clear(nullptr);
     target.Confine(width, height, 1);
-    frame.Shading->DrawCasters(frame, wanted.Casters, fitted.view);
+    frame.Shading->DrawCasters(
+      frame, wanted.Casters, fitted.view, my.CulledFaces(props, wanted.Casters, light.Ray));
     ++this->NumberOfMapBuilds;
     my.States[slot] = wanted;
   }

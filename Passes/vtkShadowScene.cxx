@@ -231,6 +231,18 @@ double VertexReachOf(vtkMapper* mapper, const double bounds[6], const glm::dmat4
   return reach;
 }
 
+bool IsDrawnSolid(const Scene::Piece& piece)
+{
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  if (!actor || actor->GetTexture() || !actor->GetProperty()->GetAllTextures().empty())
+  {
+    return false;
+  }
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return !shaders->HasVertexShaderCode() && !shaders->HasFragmentShaderCode() &&
+    !shaders->HasGeometryShaderCode() && shaders->GetNumberOfShaderReplacements() == 0;
+}
+
 bool DrawsImpostors(const Scene::Piece& piece)
 {
   // By name: the sphere and stick mappers' classes moved between VTK's modules and versions.
@@ -358,6 +370,7 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
   {
     piece.PlaneWC = TransformPlane(piece.WorldFromModel, planeMC);
   }
+  piece.DrawnSolid = IsDrawnSolid(piece);
   piece.Shape = ShapeOf(piece);
   if (mapper->GetClippingPlanes())
   {

@@ -37,6 +37,8 @@ struct vtkShadowScene::Piece
   double VertexReach = 0.0;
   // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
   glm::dvec4 PlaneWC{ 0.0 };
+  // No texture, and no shader code of the user's, can cut holes in it.
+  bool DrawnSolid = false;
   // Changes exactly when the piece's shape changes, in model coordinates.
   std::vector<std::uint64_t> Shape;
   // Shape and place: changes exactly when what the piece casts changes.

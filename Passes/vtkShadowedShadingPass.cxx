@@ -233,8 +233,10 @@ void vtkShadowedShadingPass::Detach()
 
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
-  const std::vector<std::size_t>& props, const vtkshadows::LightView& view)
+  const std::vector<std::size_t>& props, const vtkshadows::LightView& view,
+  const std::unordered_map<vtkProp*, unsigned int>& culled)
 {
+  this->Culled = culled;
   vtkRenderer* renderer = frame.Renderer;
   const vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
@@ -519,9 +521,18 @@ bool vtkShadowedShadingPass::SetShaderParameters(
 {
   if (this->CurrentStage == CASTERS)
   {
-    // Every face casts, and a translucent caster writes its depth, too. The lights need not be set,
-    // and must not be: this camera is not the eye.
-    this->State->vtkglDisable(GL_CULL_FACE);
+    // Every face casts that is not told to lie behind another, and a translucent caster writes its
+    // depth, too. The lights need not be set, and must not be: this camera is not the eye.
+    const auto culled = this->Culled.find(prop);
+    if (culled != this->Culled.end())
+    {
+      this->State->vtkglEnable(GL_CULL_FACE);
+      this->State->vtkglCullFace(culled->second);
+    }
+    else
+    {
+      this->State->vtkglDisable(GL_CULL_FACE);
+    }
     this->State->vtkglDepthMask(GL_TRUE);
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;

@@ -81,9 +81,10 @@ public:
   void ActivateTextures();
 
   // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's,
-  // into the bound framebuffer. Camera and stage are as before afterwards.
+  // into the bound framebuffer. Camera and stage are as before afterwards. `culled`: the faces,
+  // GL_FRONT or GL_BACK, that need not be drawn of a part.
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
-    const vtkshadows::LightView& view);
+    const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled);
   void DrawReceivers(const vtkShadowFrame& frame, Stage stage);
   // The depth of what is opaque, by the eye's view with a depth range of its own.
   void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView& view);
@@ -137,7 +138,8 @@ private:
 
   vtkOpenGLState* State = nullptr; // while attached
   std::unordered_map<vtkInformation*, vtkSmartPointer<vtkInformation>> Attached;
-  std::unordered_map<vtkProp*, bool> Receives; // leaves and tops
+  std::unordered_map<vtkProp*, bool> Receives;       // leaves and tops
+  std::unordered_map<vtkProp*, unsigned int> Culled; // while casters are drawn
   float MaskSize[2] = { 0.0f, 0.0f };
   bool MaskIsPixels = true;
   int ParallelEye = 0;

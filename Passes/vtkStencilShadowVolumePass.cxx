@@ -33,14 +33,12 @@ using Rule = vtkShadowVolumeCounter::Rule;
 // nowhere but on what is drawn.
 bool IsDrawnWhole(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece& piece)
 {
-  auto* actor = vtkActor::SafeDownCast(piece.Prop);
-  if (!actor || prop.Translucent || actor->GetTexture())
+  if (prop.Translucent || !piece.DrawnSolid)
   {
     return false;
   }
-  vtkProperty* property = actor->GetProperty();
-  return !property->GetBackfaceCulling() && !property->GetFrontfaceCulling() &&
-    property->GetAllTextures().empty();
+  vtkProperty* property = vtkActor::SafeDownCast(piece.Prop)->GetProperty();
+  return !property->GetBackfaceCulling() && !property->GetFrontfaceCulling();
 }
 
 // How a light was counted: to do it again, and to show it.

@@ -1,0 +1,94 @@
+#include "vtkShadowHiddenFaces.h"
+
+#include "vtkShadowCasterMesh.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace
+{
+
+using Side = vtkShadowHiddenFaces::Side;
+
+// What a light outside need not see of the whole surface, if all of it is closed and wound alike.
+Side Survey(const vtkShadowScene::Piece& piece)
+{
+  const vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
+  const std::vector<vtkshadows::MeshPiece>& pieces = caster.Mesh.pieces;
+  if (!caster.Fault.empty() || !caster.Skipped.empty() || pieces.empty())
+  {
+    return Side::None;
+  }
+  const bool insideOut = pieces.front().insideOut;
+  const bool isClosed = std::all_of(pieces.begin(), pieces.end(),
+    [insideOut](const vtkshadows::MeshPiece& p) { return p.closed && p.insideOut == insideOut; });
+  return !isClosed ? Side::None : insideOut ? Side::Front : Side::Back;
+}
+
+bool HoldsLight(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC)
+{
+  glm::dvec3 low = piece.CornersWC[0], high = low;
+  for (const glm::dvec3& corner : piece.CornersWC)
+  {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  const glm::dvec3 position(lightWC);
+  return lightWC.w != 0.0 && glm::all(glm::greaterThanEqual(position, low)) &&
+    glm::all(glm::lessThanEqual(position, high));
+}
+
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowHiddenFaces::BeginFrame(const std::vector<vtkShadowScene::Prop>& props)
+{
+  ++this->Frame;
+  std::set<std::pair<vtkProp3D*, vtkMapper*>> present;
+  for (const vtkShadowScene::Prop& prop : props)
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      present.insert({ piece.Prop, piece.Mapper });
+    }
+  }
+  for (auto it = this->Known.begin(); it != this->Known.end();)
+  {
+    it = present.count(it->first) != 0 ? std::next(it) : this->Known.erase(it);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShadowHiddenFaces::Side vtkShadowHiddenFaces::Of(
+  const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC)
+{
+  // Holes that a texture cuts show what lies behind.
+  if (!piece.DrawnSolid || HoldsLight(piece, lightWC))
+  {
+    return Side::None;
+  }
+  Surface& surface = this->Known[{ piece.Prop, piece.Mapper }];
+  if (surface.Shape != piece.Shape)
+  {
+    surface.Shape = piece.Shape;
+    surface.FirstFrame = this->Frame;
+    surface.Surveyed = false;
+  }
+  if (surface.FirstFrame == this->Frame)
+  {
+    return Side::None;
+  }
+  if (!surface.Surveyed)
+  {
+    surface.Hidden = Survey(piece);
+    surface.Surveyed = true;
+  }
+  const bool isMirrored = glm::determinant(glm::dmat3(piece.WorldFromModel)) < 0.0;
+  return surface.Hidden == Side::None || !isMirrored ? surface.Hidden
+    : surface.Hidden == Side::Back                   ? Side::Front
+                                                     : Side::Back;
+}

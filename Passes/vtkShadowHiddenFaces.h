@@ -1,0 +1,46 @@
+// Which faces of a caster a map of depths need not draw: of a closed surface a light outside of it
+// first meets one that faces it, and the others lie behind. That halves the work and changes no
+// texel.
+//
+// Whether a surface is closed takes a look at all its edges. It is taken when a shape is asked
+// about in a second frame, so that one that changes with every frame costs nothing.
+#ifndef vtkShadowHiddenFaces_h
+#define vtkShadowHiddenFaces_h
+
+#include "vtkShadowSceneData.h"
+
+#include <glm/vec4.hpp>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+class vtkShadowHiddenFaces
+{
+public:
+  enum class Side
+  {
+    None,
+    Back, // as wound and drawn: clockwise, seen from the light
+    Front
+  };
+
+  // A new frame, of these props: others are forgotten.
+  void BeginFrame(const std::vector<vtkShadowScene::Prop>& props);
+
+  // A light is (position, 1), or (the unit direction toward it, 0), in world coordinates.
+  Side Of(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC);
+
+private:
+  struct Surface
+  {
+    std::vector<std::uint64_t> Shape;
+    std::size_t FirstFrame = 0; // that asked about this shape
+    bool Surveyed = false;
+    Side Hidden = Side::None; // of a matrix that does not mirror
+  };
+  std::size_t Frame = 0;
+  std::map<std::pair<vtkProp3D*, vtkMapper*>, Surface> Known;
+};
+
+#endif
