@@ -267,44 +267,54 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   my.GatherReceivers(*frame.Scene);
   this->UpdateCasters(frame);
   const vtkshadows::LightView view = my.SetEye(frame, this->InfiniteProjection);
-  if (!my.Masks.Id() || !my.Counter.Reserve(frame, anySoft) ||
-    !my.Counter.DrawReceivers(frame, view))
-  {
-    this->WarnOnce(this,
-      "The driver cannot hold depths and counts of " + std::to_string(frame.Size[0]) + " x " +
-        std::to_string(frame.Size[1]) + " pixels and " + std::to_string(lights.size()) +
-        " masks: their lights are lit. Use a smaller window or fewer lights.");
-    return false;
-  }
-  this->WarnOnce(this, "");
-
-  const bool parity = this->Variant == PARITY;
+  bool done = my.Masks.Id() != 0 && my.Counter.Reserve(frame, anySoft) &&
+    my.Counter.DrawReceivers(frame, view);
   my.Countings.assign(lights.size(), {});
-  for (std::size_t slot = 0; slot < lights.size(); ++slot)
+  for (std::size_t slot = 0; done && slot < lights.size(); ++slot)
   {
-    const vtkshadows::ShadowLight& light = sceneLights[lights[slot]].Ray;
-    const int layer = static_cast<int>(slot);
-    if (!(light.radius > 0.0))
-    {
-      this->CountVolumes(frame, light, slot);
-      my.Counter.Resolve(frame, my.Masks, layer, parity);
-      continue;
-    }
-    const glm::dvec3 centreWC = 0.5 * (my.ReceiverBox.minimum + my.ReceiverBox.maximum);
-    const std::vector<vtkshadows::ShadowLight> samples =
-      vtkshadows::SampleAreaLight(light, this->LightSamples, centreWC);
-    my.Counter.ClearSum(frame);
-    for (const vtkshadows::ShadowLight& sample : samples)
-    {
-      this->CountVolumes(frame, sample, slot);
-      my.Counter.AddToSum(frame, 1.0f / static_cast<float>(samples.size()), parity);
-    }
-    const bool smoothed =
-      this->Smoothing && my.Counter.SmoothSum(frame, 1.0f / static_cast<float>(samples.size()));
-    my.Counter.ResolveSum(frame, my.Masks, layer, smoothed);
+    done = this->UpdateMask(frame, sceneLights[lights[slot]].Ray, slot);
   }
   this->NumberOfFaces = static_cast<vtkIdType>(my.Counter.NumberOfTriangles);
   this->NumberOfOverflows = static_cast<vtkIdType>(my.Counter.NumberOfOverflows);
+  this->WarnOnce(this,
+    done ? ""
+         : "The driver cannot hold depths and counts of " + std::to_string(frame.Size[0]) + " x " +
+        std::to_string(frame.Size[1]) + " pixels and " + std::to_string(lights.size()) +
+        " masks: their lights are lit. Use a smaller window or fewer lights.");
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkStencilShadowVolumePass::UpdateMask(
+  const vtkShadowFrame& frame, const vtkshadows::ShadowLight& light, std::size_t slot)
+{
+  Internals& my = *this->Internal;
+  const bool parity = this->Variant == PARITY;
+  const int layer = static_cast<int>(slot);
+  if (!(light.radius > 0.0))
+  {
+    if (!this->CountVolumes(frame, light, slot))
+    {
+      return false;
+    }
+    my.Counter.Resolve(frame, my.Masks, layer, parity);
+    return true;
+  }
+  const glm::dvec3 centreWC = 0.5 * (my.ReceiverBox.minimum + my.ReceiverBox.maximum);
+  const std::vector<vtkshadows::ShadowLight> samples =
+    vtkshadows::SampleAreaLight(light, this->LightSamples, centreWC);
+  const float share = 1.0f / static_cast<float>(samples.size());
+  my.Counter.ClearSum(frame);
+  for (const vtkshadows::ShadowLight& sample : samples)
+  {
+    if (!this->CountVolumes(frame, sample, slot))
+    {
+      return false;
+    }
+    my.Counter.AddToSum(frame, share, parity);
+  }
+  const bool smoothed = this->Smoothing && my.Counter.SmoothSum(frame, share);
+  my.Counter.ResolveSum(frame, my.Masks, layer, smoothed);
   return true;
 }
 

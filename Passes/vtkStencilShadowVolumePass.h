@@ -227,6 +227,8 @@ private:
   void operator=(const vtkStencilShadowVolumePass&) = delete;
 
   void UpdateCasters(const vtkShadowFrame& frame);
+  bool UpdateMask(
+    const vtkShadowFrame& frame, const vtkshadows::ShadowLight& light, std::size_t slot);
   bool CountVolumes(
     const vtkShadowFrame& frame, const vtkshadows::ShadowLight& light, std::size_t slot);
 
