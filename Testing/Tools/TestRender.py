@@ -71,7 +71,7 @@ check("picture at strength 0 is that without technique",
       Image("weak.png").rows == Image("none.png").rows, True)  # fmt: skip
 
 # A light with a radius is soft: some pixels are between 0 and 255. With two sample lights there is one
-# value between, at the middle.
+# value between, at the middle; shadow volumes make a ramp of it.
 for technique in ("stencil-volume", "ray-cast"):
     for samples in ([], ["--light-samples", 2]):
         succeed("render", *SCENE, "--light", light + "@radius=0.1", "--technique", technique, *samples,
@@ -80,7 +80,8 @@ for technique in ("stencil-volume", "ray-cast"):
         between = {value for row in soft.rows for value in row} - {(0,), (255,)}
         pixels = sum(map(soft.count, between))
         check(f"{technique}: a soft light's mask has half-shadow", pixels > 20, True)
-        check(f"{technique}: more than one value between", len(between) > 1, not samples)
+        check(f"{technique}: more than one value between", len(between) > 1,
+              not samples or technique == "stencil-volume")  # fmt: skip
 
 # Views that explain: each is another picture than the plain one, the masks stay. Blue are the volumes
 # counted before the receiver, and a count of 1; yellow is the silhouette.
