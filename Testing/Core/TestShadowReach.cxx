@@ -481,15 +481,15 @@ TEST(ShadowReach, ANearPlanePlainlyLitIsNotShadowed)
   {
     // Along +x; the near plane at x = 0.5, at most 1.3 wide.
     const glm::dmat4 clip = LookFrom({ 0, 0, 0 }, { 1, 0, 0 }, parallel).ClipFromWorld();
-    // Neither light in the near plane itself, where the answer is always yes.
-    const glm::dvec4 sun(0.1, 0, 1, 0), lamp(1.5, 0, 9, 1), behind(-9, 0, 0, 1);
+    const glm::dvec4 sun(1, 0, 1, 0), lamp(9, 0, 9, 1), behind(-9, 0, 0, 1);
     for (const glm::dvec4& light : { sun, lamp })
     {
-      EXPECT_TRUE(NearPlaneMayBeShadowed(clip, light, CornersOf({ 0.5, 0, 4 }, 0.5)));
-      EXPECT_FALSE(NearPlaneMayBeShadowed(clip, light, CornersOf({ 5, 0, 4 }, 0.5))) << "ahead";
+      EXPECT_TRUE(NearPlaneMayBeShadowed(clip, light, CornersOf({ 4.5, 0, 4 }, 0.5)));
+      EXPECT_FALSE(NearPlaneMayBeShadowed(clip, light, CornersOf({ 9, 0, 4 }, 0.5))) << "ahead";
       EXPECT_FALSE(NearPlaneMayBeShadowed(clip, light, CornersOf({ 0.5, 0, -4 }, 0.5))) << "below";
+      EXPECT_FALSE(NearPlaneMayBeShadowed(clip, light, CornersOf({ 4.5, 4, 4 }, 0.5))) << "beside";
     }
-    EXPECT_FALSE(NearPlaneMayBeShadowed(clip, lamp, CornersOf({ 0.5, 0, 12 }, 0.5)))
+    EXPECT_FALSE(NearPlaneMayBeShadowed(clip, lamp, CornersOf({ 12, 0, 12 }, 0.5)))
       << "above the lamp";
     EXPECT_TRUE(NearPlaneMayBeShadowed(clip, behind, CornersOf({ -4, 0, 0 }, 0.5)));
     EXPECT_FALSE(NearPlaneMayBeShadowed(clip, behind, CornersOf({ 4, 0, 0 }, 0.5)))
