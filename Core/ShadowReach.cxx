@@ -264,6 +264,43 @@ bool NearPlaneMayBeShadowed(
 }
 
 //------------------------------------------------------------------------------
+bool NearPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box)
+{
+  // What lies within the four sides of the view, before or behind the near plane.
+  const glm::dvec4 w = glm::row(clipFromWorld, 3), nearPlane = w + glm::row(clipFromWorld, 2);
+  for (const auto& face : BoxFaces)
+  {
+    std::vector<glm::dvec3> polygon;
+    for (const int corner : face)
+    {
+      polygon.push_back(box[corner]);
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      ClipPolygon(polygon, w + glm::row(clipFromWorld, axis));
+      ClipPolygon(polygon, w - glm::row(clipFromWorld, axis));
+    }
+    for (const glm::dvec3& p : polygon)
+    {
+      if (glm::dot(nearPlane, glm::dvec4(p, 1.0)) < 0.0)
+      {
+        return true;
+      }
+    }
+  }
+  // The eye within the box sees no face of it on the way to the near plane.
+  Box bounds;
+  bounds.Add(box);
+  const std::array<glm::dvec3, 4> quad = NearQuad(clipFromWorld);
+  return std::any_of(quad.begin(), quad.end(),
+    [&bounds](const glm::dvec3& p)
+    {
+      return glm::all(glm::greaterThanEqual(p, bounds.minimum)) &&
+        glm::all(glm::lessThanEqual(p, bounds.maximum));
+    });
+}
+
+//------------------------------------------------------------------------------
 bool EyeMayBeShadowed(const glm::dvec4& eye, const glm::dvec4& light, const BoxCorners& caster)
 {
   if (eye.w == 0.0 && light.w == 0.0)

@@ -72,7 +72,7 @@ bool vtkShadowVolumeCaster::Update(
   this->Fault = isSingular && !this->IsEmpty()
     ? "a matrix that flattens it or is not finite (its determinant is " +
       std::to_string(determinant) + ")"
-    : this->Fault;
+    : this->MeshFault;
   return isStale;
 }
 
@@ -88,11 +88,11 @@ void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
   vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
     piece, casterFromModel, piece.WorldFromModel * this->ModelFromCaster);
   this->Skipped = geometry.Skipped;
-  this->Fault.clear();
+  this->MeshFault.clear();
   const auto bad = std::find_if_not(geometry.Vertices.begin(), geometry.Vertices.end(), IsFinite);
   if (bad != geometry.Vertices.end())
   {
-    this->Fault = "a point that is not finite (number " +
+    this->MeshFault = "a point that is not finite (number " +
       std::to_string(bad - geometry.Vertices.begin()) + " of its surface)";
     this->Mesh = {};
     return;

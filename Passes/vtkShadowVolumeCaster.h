@@ -87,7 +87,7 @@ private:
   void UploadPoints();
 
   std::vector<std::uint64_t> Shape;
-  std::string Fault, Skipped;
+  std::string MeshFault, Fault, Skipped; // of the shape alone, and with the matrix
   vtkshadows::ShadowMesh<float> Mesh;
   glm::dmat4 ModelFromCaster{ 1.0 }, WorldFromCaster{ 1.0 };
   bool Mirrored = false;

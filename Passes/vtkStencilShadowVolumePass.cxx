@@ -280,6 +280,12 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   }
   this->WarnOnce(this, "");
 
+  for (Caster& caster : my.Casters)
+  {
+    caster.DrawnWhole = caster.DrawnWhole &&
+      !vtkshadows::NearPlaneMayCut(my.Eye.ClipFromWorld, caster.Piece->CornersWC);
+  }
+
   const bool parity = this->Variant == PARITY;
   my.Countings.assign(lights.size(), {});
   for (std::size_t slot = 0; slot < lights.size(); ++slot)

@@ -498,6 +498,49 @@ TEST(ShadowReach, ANearPlanePlainlyLitIsNotShadowed)
   }
 }
 
+TEST(ShadowReach, ABoxThatIsCutMayBeCut)
+{
+  Lot lot(11);
+  int cut = 0, refused = 0;
+  for (int scene = 0; scene < Scenes; ++scene)
+  {
+    const Solid solid = lot.AnySolid();
+    const View view = lot.AnyView();
+    bool isCut = false;
+    for (int i = 0; i < Samples; ++i)
+    {
+      const glm::dvec4 clip = view.ClipFromWorld() * glm::dvec4(solid.At(lot.Within(1.0)), 1.0);
+      isCut = isCut ||
+        (clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
+          clip.z < -clip.w);
+    }
+    const bool says = NearPlaneMayCut(view.ClipFromWorld(), solid.Corners());
+    EXPECT_TRUE(says || !isCut) << "scene " << scene;
+    cut += isCut ? 1 : 0;
+    refused += says ? 0 : 1;
+  }
+  EXPECT_GT(cut, Scenes / 20);
+  EXPECT_GT(refused, Scenes / 3);
+}
+
+TEST(ShadowReach, ABoxPlainlyBeyondIsNotCut)
+{
+  for (const bool parallel : { false, true })
+  {
+    // Along +x; the near plane at x = 0.5.
+    const glm::dmat4 clip = LookFrom({ 0, 0, 0 }, { 1, 0, 0 }, parallel).ClipFromWorld();
+    EXPECT_TRUE(NearPlaneMayCut(clip, CornersOf({ 0.5, 0, 0 }, 0.1)));
+    EXPECT_TRUE(NearPlaneMayCut(clip, CornersOf({ 0.3, 0, 0 }, 0.1)));
+    EXPECT_TRUE(NearPlaneMayCut(clip, CornersOf({ 0, 0, 0 }, 9.0))) << "the eye is inside";
+    EXPECT_FALSE(NearPlaneMayCut(clip, CornersOf({ 0.7, 0, 0 }, 0.1))) << "beyond";
+    EXPECT_FALSE(NearPlaneMayCut(clip, CornersOf({ 0.5, 3, 0 }, 0.1))) << "beside";
+    EXPECT_FALSE(NearPlaneMayCut(clip, Upright({ 0, 0, -2 }, { 9, 9, 0 }).Corners()))
+      << "a floor under the eye";
+    EXPECT_EQ(NearPlaneMayCut(clip, CornersOf({ -3, 0, 0 }, 0.1)), parallel)
+      << "behind: a parallel eye is farther back still";
+  }
+}
+
 TEST(ShadowReach, AnEyeInShadowMayBeShadowed)
 {
   Lot lot(8);

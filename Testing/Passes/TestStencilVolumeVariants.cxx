@@ -1,0 +1,383 @@
+// Ways to the same mask: what is counted in, which faces are counted, what is left out. Those that
+// are right must agree with the default; those that are kept for comparison are wrong where theory
+// says so, and nowhere else. And the views that explain.
+#include "TestScenes.h"
+#include "VolumeTest.h"
+
+#include <vtkCellArray.h>
+#include <vtkImageData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+using namespace shadowtest;
+
+namespace
+{
+
+using Pass = vtkStencilShadowVolumePass;
+
+// Squares of side 2 over each other, between z = 1 and z = 2.
+vtkSmartPointer<vtkPolyData> Stack(int sheets)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  for (int i = 0; i < sheets; ++i)
+  {
+    const double z = 1.0 + double(i) / sheets;
+    const vtkIdType base = points->InsertNextPoint(-1.0, -1.0, z);
+    points->InsertNextPoint(1.0, -1.0, z);
+    points->InsertNextPoint(1.0, 1.0, z);
+    points->InsertNextPoint(-1.0, 1.0, z);
+    // Turned this way and that.
+    i % 3 ? polys->InsertNextCell({ base, base + 1, base + 2, base + 3 })
+          : polys->InsertNextCell({ base, base + 3, base + 2, base + 1 });
+  }
+  auto stack = vtkSmartPointer<vtkPolyData>::New();
+  stack->SetPoints(points);
+  stack->SetPolys(polys);
+  return stack;
+}
+
+// Under a stack of sheets: the floor in the middle of its shadow, and beside it.
+class StencilVolumeCounts : public VolumeTest
+{
+protected:
+  void SetUp() override
+  {
+    VolumeTest::SetUp();
+    AddFloor(this->Renderer, 6.0);
+    this->Stacked = AddActor(this->Renderer, Stack(1));
+    this->Light = AddSun(this->Renderer, { 0.0, 0.0, -1.0 });
+    // Below the sheets, so that none of them hides the floor.
+    LookAt(this->Renderer, { 0.0, -7.0, 0.9 }, { 0.0, 0.0, 0.0 });
+  }
+
+  void SetSheets(int sheets)
+  {
+    this->Renderer->RemoveActor(this->Stacked);
+    this->Stacked = AddActor(this->Renderer, Stack(sheets));
+    this->Render();
+  }
+
+  // Values at places on the floor that lie in the shadow of all sheets, or of none.
+  void CheckFloor(const std::string& what, const Visibility& values, double inside, double outside)
+  {
+    int places = 0, wrongInside = 0, wrongOutside = 0;
+    for (double x = -2.0; x <= 2.0; x += 0.05)
+    {
+      for (double y = -2.0; y <= 2.0; y += 0.05)
+      {
+        const double reach = std::max(std::abs(x), std::abs(y));
+        const Pixel p = PixelOf(this->Renderer, { x, y, 0.0 });
+        if (std::abs(reach - 1.0) < 0.1 || p.x < 0 || p.y < 0 || p.x >= values.width ||
+          p.y >= values.height)
+        {
+          continue;
+        }
+        ++places;
+        wrongInside += reach < 1.0 && values.At(p.x, p.y) != inside ? 1 : 0;
+        wrongOutside += reach > 1.0 && values.At(p.x, p.y) != outside ? 1 : 0;
+      }
+    }
+    CheckAtLeast(what + ": places on the floor", places, 2000.0);
+    Check(what + ": in the shadow, not " + std::to_string(inside), wrongInside, 0.0);
+    Check(what + ": outside, not " + std::to_string(outside), wrongOutside, 0.0);
+  }
+
+  vtkSmartPointer<vtkActor> Stacked;
+  vtkSmartPointer<vtkLight> Light;
+};
+
+class StencilVolumeVariants : public VolumeTest
+{
+protected:
+  // In each of several views of a still life, by a sun, a spot and a lamp amid: the most pixels
+  // that the mask has otherwise once `change` is made (and undone by `undo`).
+  void CheckSame(const std::string& what, const std::function<void()>& change,
+    const std::function<void()>& undo, double pixels);
+};
+
+void StencilVolumeVariants::CheckSame(const std::string& what, const std::function<void()>& change,
+  const std::function<void()>& undo, double pixels)
+{
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->RemoveAllLights();
+  const Subject subject = AddStillLife(this->Renderer);
+  AddActor(this->Renderer, ToPolyData(MoebiusStrip()))->SetPosition(0.0, 0.0, 2.4);
+  const vtkSmartPointer<vtkLight> lights[] = { AddSun(this->Renderer, -Toward(60.0, 40.0)),
+    AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0),
+    AddLamp(this->Renderer, { 0.1, 0.2, 0.7 }) };
+  const auto compare = [&](const std::string& view)
+  {
+    for (int light = 0; light < 3; ++light)
+    {
+      CheckAtMost(what + ", " + view + ", light " + std::to_string(light) + ": pixels changed",
+        static_cast<double>(this->CountChanged(lights[light], change)), pixels);
+      undo();
+    }
+  };
+  AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+  compare("from outside");
+  LookAt(this->Renderer, { -0.4, -0.2, 0.25 }, { 1.2, 1.3, 0.8 });
+  compare("amid the things");
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  AimCamera(this->Renderer, subject, 40.0, 50.0, 320, 240);
+  compare("parallel");
+  this->Renderer->GetActiveCamera()->ParallelProjectionOff();
+}
+
+}
+
+//------------------------------------------------------------------------------
+// What is counted in.
+TEST_F(StencilVolumeCounts, CountsAreExactWhereEightBitsEnd)
+{
+  for (const int variant : { Pass::AUTOMATIC, Pass::Z_FAIL })
+  {
+    this->Volumes()->SetVariant(variant);
+    for (const int sheets : { 1, 126, 127, 128, 254, 255, 256, 257, 300, 512 })
+    {
+      const std::string what =
+        std::to_string(sheets) + (variant == Pass::Z_FAIL ? " sheets, z-fail" : " sheets");
+      this->SetSheets(sheets);
+      this->CheckFloor(what + ", counts", this->CountsOf(this->Light), sheets, 0.0);
+      this->CheckFloor(what + ", mask", this->VisibilityOf(this->Light), 0.0, 1.0);
+      // The stencil stops at 255 and says so.
+      Check(what + ": counted again in floats",
+        static_cast<double>(this->Volumes()->GetNumberOfOverflows()), sheets >= 255 ? 1.0 : 0.0);
+    }
+  }
+}
+
+TEST_F(StencilVolumeCounts, FloatsAreAlwaysRight)
+{
+  this->Volumes()->SetCounter(Pass::FLOAT_COUNTER);
+  for (const int sheets : { 1, 127, 128, 255, 256, 257, 512 })
+  {
+    this->SetSheets(sheets);
+    this->CheckFloor(std::to_string(sheets) + " sheets", this->VisibilityOf(this->Light), 0.0, 1.0);
+    Check("overflows", static_cast<double>(this->Volumes()->GetNumberOfOverflows()), 0.0);
+  }
+}
+
+// As documented: read as signed bytes, right up to 127 and blind to 256.
+TEST_F(StencilVolumeCounts, WrappingStencilIsWrongFrom128On)
+{
+  this->Volumes()->SetCounter(Pass::WRAPPING_STENCIL);
+  for (const int sheets : { 1, 126, 127, 128, 200, 256, 512 })
+  {
+    this->SetSheets(sheets);
+    this->CheckFloor(std::to_string(sheets) + " sheets", this->VisibilityOf(this->Light),
+      sheets <= 127 ? 0.0 : 1.0, 1.0);
+  }
+}
+
+TEST_F(StencilVolumeCounts, OverlappingCastersAddUp)
+{
+  this->SetSheets(3);
+  AddActor(this->Renderer, Stack(4))->SetPosition(0.0, 0.0, 1.5);
+  this->Render();
+  this->CheckFloor("3 and 4 sheets", this->CountsOf(this->Light), 7.0, 0.0);
+  // Closed, and counted by its lit side alone.
+  AddBox(this->Renderer, { -1.0, -1.0, 4.0 }, { 1.0, 1.0, 4.5 });
+  this->Render();
+  this->CheckFloor("and a box", this->CountsOf(this->Light), 8.0, 0.0);
+  this->Volumes()->OneSidedClosedPiecesOff();
+  this->Render();
+  this->CheckFloor("and a box, both sides", this->CountsOf(this->Light), 9.0, 0.0);
+}
+
+TEST_F(StencilVolumeCounts, CountsAreOfVolumesAlone)
+{
+  this->Shadows->SetTechnique("depth-map");
+  this->Render();
+  vtkNew<vtkImageData> image;
+  EXPECT_FALSE(this->Shadows->GetVolumeCounts(this->Renderer, this->Light, image));
+  ExpectOneMessage({ "vtkShadowPass", "\"depth-map\"", "\"stencil-volume\"" });
+  EXPECT_FALSE(this->Shadows->GetVolumeCounts(this->Renderer, this->Light, nullptr));
+  ExpectOneMessage({ "vtkShadowPass", "vtkImageData" });
+}
+
+//------------------------------------------------------------------------------
+// Which faces are counted. Two ways round the same edge differ in pixels whose sample lies on it.
+TEST_F(StencilVolumeVariants, ZFailIsTheSame)
+{
+  this->CheckSame(
+    "z-fail", [&]() { this->Volumes()->SetVariant(Pass::Z_FAIL); },
+    [&]() { this->Volumes()->SetVariant(Pass::AUTOMATIC); }, 5.0);
+}
+
+TEST_F(StencilVolumeVariants, CountersAreTheSame)
+{
+  this->CheckSame(
+    "floats", [&]() { this->Volumes()->SetCounter(Pass::FLOAT_COUNTER); },
+    [&]() { this->Volumes()->SetCounter(Pass::AUTOMATIC_COUNTER); }, 5.0);
+  this->CheckSame(
+    "wrapping", [&]() { this->Volumes()->SetCounter(Pass::WRAPPING_STENCIL); },
+    [&]() { this->Volumes()->SetCounter(Pass::AUTOMATIC_COUNTER); }, 5.0);
+}
+
+TEST_F(StencilVolumeVariants, SettingsAreTheSame)
+{
+  this->CheckSame(
+    "both sides of closed pieces", [&]() { this->Volumes()->OneSidedClosedPiecesOff(); },
+    [&]() { this->Volumes()->OneSidedClosedPiecesOn(); }, 5.0);
+  this->CheckSame(
+    "culling off", [&]() { this->Volumes()->CullingOff(); },
+    [&]() { this->Volumes()->CullingOn(); }, 5.0);
+  this->CheckSame(
+    "confinement off", [&]() { this->Volumes()->ConfinementOff(); },
+    [&]() { this->Volumes()->ConfinementOn(); }, 5.0);
+  this->CheckSame(
+    "infinite projection", [&]() { this->Volumes()->InfiniteProjectionOn(); },
+    [&]() { this->Volumes()->InfiniteProjectionOff(); }, 5.0);
+}
+
+// With the near plane in the shadow of a roof.
+TEST_F(StencilVolumeVariants, ZPassIsWrongWhereTheNearPlaneLiesInAShadow)
+{
+  const Subject subject = AddStillLife(this->Renderer);
+  auto roof = AddBox(this->Renderer, { -3.0, -9.0, 4.0 }, { 3.0, -3.0, 4.2 });
+  auto sun = AddSun(this->Renderer, { 0.1, 0.15, -1.0 });
+  LookAt(this->Renderer, { 0.2, -5.5, 1.5 }, { 0.0, 0.0, 0.5 });
+  const auto changedBy = [&](int variant)
+  {
+    const std::size_t changed =
+      this->CountChanged(sun, [&]() { this->Volumes()->SetVariant(variant); });
+    this->Volumes()->SetVariant(Pass::AUTOMATIC);
+    return static_cast<double>(changed);
+  };
+  CheckAtLeast("z-pass under a roof: pixels changed", changedBy(Pass::Z_PASS), 1000.0);
+  CheckAtLeast("parity under a roof: pixels changed", changedBy(Pass::PARITY), 1000.0);
+  CheckAtMost(
+    "z-pass with caps under a roof: pixels changed", changedBy(Pass::Z_PASS_CAPPED), 20.0);
+  this->Renderer->RemoveActor(roof);
+  CheckAtMost("z-pass in the open: pixels changed", changedBy(Pass::Z_PASS), 5.0);
+  CheckAtMost("z-pass with caps in the open: pixels changed", changedBy(Pass::Z_PASS_CAPPED), 5.0);
+}
+
+TEST_F(StencilVolumeVariants, ParityIsWrongWhereShadowsOverlap)
+{
+  AddStillLife(this->Renderer);
+  AddBox(this->Renderer, { -1.5, -1.5, 3.0 }, { 1.0, 1.0, 3.1 });
+  auto sun = AddSun(this->Renderer, -Toward(60.0, 50.0));
+  LookAt(this->Renderer, { 1.0, -8.0, 6.0 }, { 0.0, 0.0, 0.5 });
+  this->Render();
+  const Visibility right = this->VisibilityOf(sun), counts = this->CountsOf(sun);
+  this->Volumes()->SetVariant(Pass::PARITY);
+  this->Render();
+  const Visibility parity = this->VisibilityOf(sun);
+  double even = 0.0, missed = 0.0, otherwise = 0.0;
+  for (std::size_t i = 0; i < counts.values.size(); ++i)
+  {
+    const bool isEven = counts.values[i] > 0.0f && std::fmod(counts.values[i], 2.0f) == 0.0f;
+    const bool differs = (right.values[i] < 0.5f) != (parity.values[i] < 0.5f);
+    even += isEven ? 1.0 : 0.0;
+    missed += isEven && differs ? 1.0 : 0.0;
+    otherwise += !isEven && differs ? 1.0 : 0.0;
+  }
+  CheckAtLeast("pixels in an even number of volumes", even, 500.0);
+  Check("of those, lit by parity", missed, even, 10.0);
+  CheckAtMost("pixels that it has wrong elsewhere", otherwise, 10.0);
+}
+
+TEST_F(StencilVolumeVariants, UnknownVariantsAndCounters)
+{
+  this->Volumes()->SetVariant(5);
+  ExpectOneMessage({ "vtkStencilShadowVolumePass", "Variant 5", "0 to 4" });
+  this->Volumes()->SetVariant(-1);
+  ExpectOneMessage({ "vtkStencilShadowVolumePass", "Variant -1" });
+  Check("variant", this->Volumes()->GetVariant(), Pass::AUTOMATIC);
+  this->Volumes()->SetCounter(3);
+  ExpectOneMessage({ "vtkStencilShadowVolumePass", "Counter 3", "0 to 2" });
+  Check("counter", this->Volumes()->GetCounter(), Pass::AUTOMATIC_COUNTER);
+}
+
+//------------------------------------------------------------------------------
+// What need not be drawn.
+TEST_F(StencilVolumeVariants, CullingLeavesOutWhatFallsElsewhere)
+{
+  AddFloor(this->Renderer, 5.0);
+  AddSphere(this->Renderer, { 0.0, 0.0, 1.0 }, 0.5);
+  AddSphere(this->Renderer, { 3.0, 0.0, -2.0 }, 0.5); // under the floor
+  auto sun = AddSun(this->Renderer, { 0.2, 0.1, -1.0 });
+  LookAt(this->Renderer, { 0.0, -6.0, 5.0 }, { 0.0, 0.0, 0.5 });
+  this->Render();
+  const vtkIdType faces = this->Volumes()->GetNumberOfFaces();
+  // The floor has nothing below it that receives but the ball.
+  EXPECT_GT(this->VisibilityOf(sun).CountShadowed(), 0u);
+  AddSphere(this->Renderer, { 60.0, 0.0, 1.0 }, 0.5);
+  AddSphere(this->Renderer, { 0.0, -30.0, 1.0 }, 0.5);
+  this->Render();
+  Check("casters left out", static_cast<double>(this->Volumes()->GetNumberOfCulledCasters()), 2.0);
+  Check("faces drawn, with two more casters out of sight",
+    static_cast<double>(this->Volumes()->GetNumberOfFaces()), static_cast<double>(faces));
+  this->Volumes()->CullingOff();
+  this->Render();
+  Check("casters left out", static_cast<double>(this->Volumes()->GetNumberOfCulledCasters()), 0.0);
+  CheckAtLeast("faces drawn without culling",
+    static_cast<double>(this->Volumes()->GetNumberOfFaces()), static_cast<double>(faces + 1));
+}
+
+//------------------------------------------------------------------------------
+// Views that explain.
+TEST_F(StencilVolumeVariants, DebugViewsLeaveNoTrace)
+{
+  const Subject subject = AddStillLife(this->Renderer);
+  auto lamp = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+  EXPECT_EQ(this->Shadows->GetDebugView(), "none");
+  const Frame plain = this->Render();
+  for (const std::string view : { "volumes", "silhouette", "counts" })
+  {
+    EXPECT_TRUE(this->Shadows->SetDebugView(view));
+    const Frame explained = this->Render();
+    CheckAtLeast(
+      view + ": pixels changed", static_cast<double>(CountDifferent(plain, explained, 20)), 500.0);
+    Check(view + ": pixels changed by the next frame",
+      static_cast<double>(CountDifferent(explained, this->Render())), 0.0);
+    const Visibility shown = this->VisibilityOf(lamp);
+    EXPECT_TRUE(this->Shadows->SetDebugView("none"));
+    Check(view + ": pixels of the next plain frame that it left otherwise",
+      static_cast<double>(CountDifferent(plain, this->Render())), 0.0);
+    Check(view + ": visibility otherwise",
+      static_cast<double>(CountDifferent(shown, this->VisibilityOf(lamp))), 0.0);
+  }
+}
+
+TEST_F(StencilVolumeVariants, DebugViewOfOneLight)
+{
+  const Subject subject = AddStillLife(this->Renderer);
+  auto lamp = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  auto sun = AddSun(this->Renderer, -Toward(-60.0, 40.0));
+  AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+  this->Shadows->SetDebugView("silhouette");
+  const Frame first = this->Render();
+  this->Shadows->SetDebugLight(lamp);
+  Check("the first light, told: pixels changed",
+    static_cast<double>(CountDifferent(first, this->Render())), 0.0);
+  this->Shadows->SetDebugLight(sun);
+  CheckAtLeast("the other light: pixels changed",
+    static_cast<double>(CountDifferent(first, this->Render())), 200.0);
+}
+
+TEST_F(StencilVolumeVariants, DebugViewsThatCannotBe)
+{
+  const Subject subject = AddStillLife(this->Renderer);
+  AddSun(this->Renderer, -Toward(-60.0, 40.0));
+  AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+  EXPECT_FALSE(this->Shadows->SetDebugView("volume"));
+  ExpectOneMessage({ "vtkShadowPass", "\"volume\"", "volumes", "silhouette", "counts", "none" });
+  EXPECT_EQ(this->Shadows->GetDebugView(), "none");
+  this->Shadows->SetTechnique("depth-map");
+  const Frame plain = this->Render();
+  this->Shadows->SetDebugView("volumes");
+  const Frame frame = this->Render();
+  ExpectOneMessage({ "vtkShadowPass", "\"volumes\"", "depth-map", "\"stencil-volume\"" });
+  Check("pixels changed", static_cast<double>(CountDifferent(plain, frame)), 0.0);
+  this->Render();
+  Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
+}

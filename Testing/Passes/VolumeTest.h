@@ -1,0 +1,46 @@
+// Shared by the suites of "stencil-volume": every light by volumes, in a small window, and held
+// against the truth or against another way to make the same mask.
+#ifndef vtkshadows_VolumeTest_h
+#define vtkshadows_VolumeTest_h
+
+#include "ShadowTest.h"
+
+#include "ShadowMeshes.h"
+
+#include <functional>
+
+class vtkTransform;
+
+namespace shadowtest
+{
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const TestMesh& mesh);
+
+class VolumeTest : public ShadowTest
+{
+protected:
+  void SetUp() override;
+
+  vtkStencilShadowVolumePass* Volumes() { return this->Shadows->GetStencilShadowVolumePass(); }
+
+  // Holds the light's mask against the truth, in the view as it is. At most 0.1 % of the receiver
+  // pixels may be mismatched and 5 of them gross, unless a test knows why not.
+  void CheckTruth(const std::string& what, vtkLight* light, double mismatchPercent = 0.1,
+    double grossPixels = 5.0);
+  // Of all that CheckTruth saw in this test.
+  void CheckMeanMismatch(double percent);
+
+  // Pixels that the light's mask has otherwise once `change` is made.
+  std::size_t CountChanged(vtkLight* light, const std::function<void()>& change);
+
+  // In how many volumes the receiver of each pixel lies.
+  Visibility CountsOf(vtkLight* light);
+
+private:
+  double SumOfMismatches = 0.0;
+  int Cases = 0;
+};
+
+}
+
+#endif
