@@ -94,7 +94,8 @@ class StencilVolumeVariants : public VolumeTest
 {
 protected:
   // In each of several views of a still life, by a sun, a spot and a lamp amid: the most pixels
-  // that the mask has otherwise once `change` is made (and undone by `undo`).
+  // that the mask has otherwise once `change` is made (and undone by `undo`). It is held against
+  // the truth, too.
   void CheckSame(const std::string& what, const std::function<void()>& change,
     const std::function<void()>& undo, double pixels);
 };
@@ -115,13 +116,19 @@ void StencilVolumeVariants::CheckSame(const std::string& what, const std::functi
     {
       CheckAtMost(what + ", " + view + ", light " + std::to_string(light) + ": pixels changed",
         static_cast<double>(this->CountChanged(lights[light], change)), pixels);
+      if (this->Shadows->GetRayCastShadowPass())
+      {
+        this->CheckTruth(what + ", " + view + ", light " + std::to_string(light), lights[light]);
+      }
       undo();
     }
   };
   AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
   compare("from outside");
-  LookAt(this->Renderer, { -0.4, -0.2, 0.25 }, { 1.2, 1.3, 0.8 });
+  this->Renderer->GetActiveCamera()->SetViewAngle(75.0);
+  LookAt(this->Renderer, { 0.3, -1.7, 0.6 }, { -0.4, 1.2, 0.5 });
   compare("amid the things");
+  this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
   this->Renderer->GetActiveCamera()->ParallelProjectionOn();
   this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
   AimCamera(this->Renderer, subject, 40.0, 50.0, 320, 240);
@@ -228,12 +235,14 @@ TEST_F(StencilVolumeVariants, SettingsAreTheSame)
   this->CheckSame(
     "culling off", [&]() { this->Volumes()->CullingOff(); },
     [&]() { this->Volumes()->CullingOn(); }, 5.0);
+  // Points at infinity, and other steps of depth, round otherwise. The pixels that it shows in are
+  // those whose face stands edge-on to the light: no truth is asked there. 7 and 11 were measured.
   this->CheckSame(
     "confinement off", [&]() { this->Volumes()->ConfinementOff(); },
-    [&]() { this->Volumes()->ConfinementOn(); }, 5.0);
+    [&]() { this->Volumes()->ConfinementOn(); }, 12.0);
   this->CheckSame(
     "infinite projection", [&]() { this->Volumes()->InfiniteProjectionOn(); },
-    [&]() { this->Volumes()->InfiniteProjectionOff(); }, 5.0);
+    [&]() { this->Volumes()->InfiniteProjectionOff(); }, 12.0);
 }
 
 // With the near plane in the shadow of a roof.
@@ -242,7 +251,7 @@ TEST_F(StencilVolumeVariants, ZPassIsWrongWhereTheNearPlaneLiesInAShadow)
   const Subject subject = AddStillLife(this->Renderer);
   auto roof = AddBox(this->Renderer, { -3.0, -9.0, 4.0 }, { 3.0, -3.0, 4.2 });
   auto sun = AddSun(this->Renderer, { 0.1, 0.15, -1.0 });
-  LookAt(this->Renderer, { 0.2, -5.5, 1.5 }, { 0.0, 0.0, 0.5 });
+  LookAt(this->Renderer, { 0.2, -5.5, 1.5 }, { 0.0, -1.5, 0.0 });
   const auto changedBy = [&](int variant)
   {
     const std::size_t changed =
@@ -309,7 +318,8 @@ TEST_F(StencilVolumeVariants, CullingLeavesOutWhatFallsElsewhere)
   const vtkIdType faces = this->Volumes()->GetNumberOfFaces();
   // The floor has nothing below it that receives but the ball.
   EXPECT_GT(this->VisibilityOf(sun).CountShadowed(), 0u);
-  AddSphere(this->Renderer, { 60.0, 0.0, 1.0 }, 0.5);
+  // One has no receiver under it, the other's shadow falls behind the eye.
+  vtkShadowPass::SetReceivesShadows(AddSphere(this->Renderer, { 60.0, 0.0, 1.0 }, 0.5), false);
   AddSphere(this->Renderer, { 0.0, -30.0, 1.0 }, 0.5);
   this->Render();
   Check("casters left out", static_cast<double>(this->Volumes()->GetNumberOfCulledCasters()), 2.0);
