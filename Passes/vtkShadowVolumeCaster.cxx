@@ -87,7 +87,8 @@ void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
     glm::translate(glm::scale(glm::dmat4(1.0), place.Scale), -place.Shift);
   vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
     piece, casterFromModel, piece.WorldFromModel * this->ModelFromCaster);
-  this->Skipped = geometry.Skipped;
+  this->Skipped =
+    geometry.Skipped.empty() && !geometry.Spheres.empty() ? "sphere impostors" : geometry.Skipped;
   this->MeshFault.clear();
   const auto bad = std::find_if_not(geometry.Vertices.begin(), geometry.Vertices.end(), IsFinite);
   if (bad != geometry.Vertices.end())

@@ -97,4 +97,29 @@ Visibility VolumeTest::CountsOf(vtkLight* light)
   return counts;
 }
 
+//------------------------------------------------------------------------------
+void CasterTest::SetUp()
+{
+  VolumeTest::SetUp();
+  this->Floor = AddFloor(this->Renderer, 5.0);
+  this->Sun = AddSun(this->Renderer, { 0.4, 0.5, -1.0 });
+  this->Lamp = AddLamp(this->Renderer, { 2.0, -3.0, 6.0 });
+  LookAt(this->Renderer, { 1.0, -7.0, 5.0 }, { 0.0, 0.2, 0.8 });
+}
+
+vtkSmartPointer<vtkActor> CasterTest::AddThing()
+{
+  auto thing = AddActor(this->Renderer, Thing());
+  thing->SetPosition(0.0, 0.0, 1.3);
+  return thing;
+}
+
+vtkSmartPointer<vtkPolyData> CasterTest::Thing()
+{
+  TestMesh thing = Torus(24, 12);
+  Append(thing, Tetrahedron(), { 0.9, 0.2, 0.3 });
+  Append(thing, OpenStrip(), { -0.6, -0.5, 0.1 });
+  return ToPolyData(thing);
+}
+
 }

@@ -41,6 +41,25 @@ private:
   int Cases = 0;
 };
 
+// A floor, a sun and a lamp, and a view of what a test puts over the floor.
+class CasterTest : public VolumeTest
+{
+protected:
+  void SetUp() override;
+
+  void CheckBoth(const std::string& what)
+  {
+    this->CheckTruth(what + ", sun", this->Sun);
+    this->CheckTruth(what + ", lamp", this->Lamp);
+  }
+  vtkSmartPointer<vtkActor> AddThing();
+  // Closed and open, like no mirror image of itself; about 3 across.
+  static vtkSmartPointer<vtkPolyData> Thing();
+
+  vtkSmartPointer<vtkActor> Floor;
+  vtkSmartPointer<vtkLight> Sun, Lamp;
+};
+
 }
 
 #endif
