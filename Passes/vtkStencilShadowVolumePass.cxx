@@ -57,6 +57,7 @@ struct Caster
   const vtkShadowScene::Piece* Piece = nullptr;
   vtkShadowVolumeCaster* Geometry = nullptr;
   bool DrawnWhole = false;
+  bool ClipsCaps = false;
 };
 
 }
@@ -282,8 +283,10 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
 
   for (Caster& caster : my.Casters)
   {
-    caster.DrawnWhole = caster.DrawnWhole &&
-      !vtkshadows::NearPlaneMayCut(my.Eye.ClipFromWorld, caster.Piece->CornersWC);
+    const glm::dmat4& clipFromWorld = my.Eye.ClipFromWorld;
+    const bool isCut = vtkshadows::NearPlaneMayCut(clipFromWorld, caster.Piece->CornersWC);
+    caster.DrawnWhole = caster.DrawnWhole && !isCut;
+    caster.ClipsCaps = isCut && !vtkshadows::FarPlaneMayCut(clipFromWorld, caster.Piece->CornersWC);
   }
 
   const bool parity = this->Variant == PARITY;
@@ -338,6 +341,7 @@ bool vtkStencilShadowVolumePass::CountVolumes(
     vtkShadowVolumeCounter::Draw draw;
     draw.Caster = caster.Geometry;
     draw.LightWC = lightWC;
+    draw.ClipsCaps = caster.ClipsCaps;
     switch (this->Variant)
     {
       case Z_FAIL:

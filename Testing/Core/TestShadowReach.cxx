@@ -501,26 +501,32 @@ TEST(ShadowReach, ANearPlanePlainlyLitIsNotShadowed)
 TEST(ShadowReach, ABoxThatIsCutMayBeCut)
 {
   Lot lot(11);
-  int cut = 0, refused = 0;
+  int cut = 0, refused = 0, cutFar = 0, refusedFar = 0;
   for (int scene = 0; scene < Scenes; ++scene)
   {
     const Solid solid = lot.AnySolid();
     const View view = lot.AnyView();
-    bool isCut = false;
+    bool isCut = false, isCutFar = false;
     for (int i = 0; i < Samples; ++i)
     {
       const glm::dvec4 clip = view.ClipFromWorld() * glm::dvec4(solid.At(lot.Within(1.0)), 1.0);
-      isCut = isCut ||
-        (clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
-          clip.z < -clip.w);
+      const bool isSeen = clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+      isCut = isCut || (isSeen && clip.z < -clip.w);
+      isCutFar = isCutFar || (isSeen && clip.z > clip.w);
     }
     const bool says = NearPlaneMayCut(view.ClipFromWorld(), solid.Corners());
+    const bool saysFar = FarPlaneMayCut(view.ClipFromWorld(), solid.Corners());
     EXPECT_TRUE(says || !isCut) << "scene " << scene;
+    EXPECT_TRUE(saysFar || !isCutFar) << "the far plane, scene " << scene;
     cut += isCut ? 1 : 0;
     refused += says ? 0 : 1;
+    cutFar += isCutFar ? 1 : 0;
+    refusedFar += saysFar ? 0 : 1;
   }
   EXPECT_GT(cut, Scenes / 20);
   EXPECT_GT(refused, Scenes / 3);
+  EXPECT_GT(cutFar, Scenes / 50);
+  EXPECT_GT(refusedFar, Scenes / 3);
 }
 
 TEST(ShadowReach, ABoxPlainlyBeyondIsNotCut)
@@ -538,6 +544,10 @@ TEST(ShadowReach, ABoxPlainlyBeyondIsNotCut)
       << "a floor under the eye";
     EXPECT_EQ(NearPlaneMayCut(clip, CornersOf({ -3, 0, 0 }, 0.1)), parallel)
       << "behind: a parallel eye is farther back still";
+    EXPECT_TRUE(FarPlaneMayCut(clip, CornersOf({ 30, 0, 0 }, 1.0)));
+    EXPECT_TRUE(FarPlaneMayCut(clip, CornersOf({ 40, 0, 0 }, 1.0))) << "cut away";
+    EXPECT_FALSE(FarPlaneMayCut(clip, CornersOf({ 28, 0, 0 }, 1.0))) << "before it";
+    EXPECT_FALSE(FarPlaneMayCut(clip, CornersOf({ 30, 90, 0 }, 1.0))) << "beside";
   }
 }
 

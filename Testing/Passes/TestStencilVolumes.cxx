@@ -15,6 +15,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 using namespace shadowtest;
@@ -211,6 +212,55 @@ TEST_F(StencilVolumes, NearPlaneCutsACaster)
     this->CheckTruth("cut at " + std::to_string(share) + ", sun", sun);
     this->CheckTruth("cut at " + std::to_string(share) + ", lamp", lamp);
   }
+}
+
+// Anywhere among the things, with any near plane, by any projection and every setting.
+TEST_F(StencilVolumes, EyesAmidTheThingsByLot)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  AddStillLife(this->Renderer);
+  AddActor(this->Renderer, ToPolyData(KleinBottle()))->SetPosition(0.3, 0.2, 2.6);
+  const std::pair<std::string, std::function<void()>> settings[] = {
+    { "default", []() {} },
+    { "confinement off", [&]() { this->Volumes()->ConfinementOff(); } },
+    { "infinite projection",
+      [&]()
+      {
+        this->Volumes()->ConfinementOn();
+        this->Volumes()->InfiniteProjectionOn();
+      } },
+    { "z-fail",
+      [&]()
+      {
+        this->Volumes()->InfiniteProjectionOff();
+        this->Volumes()->SetVariant(vtkStencilShadowVolumePass::Z_FAIL);
+      } },
+  };
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  double shadow = 0.0;
+  for (const auto& setting : settings)
+  {
+    setting.second();
+    Lot lot(4);
+    const int views = 40;
+    for (int view = 0; view < views; ++view)
+    {
+      this->Renderer->RemoveAllLights();
+      const glm::dvec3 place(lot.Any(-2.5, 2.5), lot.Any(-2.5, 2.5), lot.Any(0.1, 3.5));
+      auto light = view % 2
+        ? AddLamp(this->Renderer, place)
+        : AddSun(this->Renderer, -Toward(lot.Any(0.0, 360.0), lot.Any(15.0, 80.0)));
+      const glm::dvec3 eye(lot.Any(-2.5, 2.5), lot.Any(-2.5, 2.5), lot.Any(0.2, 3.0));
+      this->LookFrom(eye, { lot.Any(-1.5, 1.5), lot.Any(-1.5, 1.5), lot.Any(0.0, 1.5) });
+      camera->SetParallelProjection(view % 3 == 2);
+      camera->SetParallelScale(lot.Any(0.5, 3.0));
+      camera->SetViewAngle(lot.Any(20.0, 110.0));
+      camera->SetClippingRange(lot.Any(0.01, 1.5), 30.0);
+      shadow += this->CheckTruthIfAny(setting.first + ", view " + std::to_string(view), light);
+    }
+  }
+  CheckAtLeast("pixels in shadow, of all views", shadow, 1.0e6);
+  this->CheckMeanMismatch(0.005);
 }
 
 TEST_F(StencilVolumes, WideAngles)

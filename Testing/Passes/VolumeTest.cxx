@@ -41,12 +41,12 @@ void VolumeTest::SetUp()
 }
 
 //------------------------------------------------------------------------------
-void VolumeTest::CheckTruth(
+double VolumeTest::CheckTruthIfAny(
   const std::string& what, vtkLight* light, double mismatchPercent, double grossPixels)
 {
   this->Render();
   vtkNew<vtkShadowErrorMeasure> error;
-  ASSERT_TRUE(error->Measure(this->Renderer, light)) << what;
+  EXPECT_TRUE(error->Measure(this->Renderer, light)) << what;
   this->SumOfMismatches += error->GetMismatchPercent();
   ++this->Cases;
   std::printf("  %-36s receivers %6lld shadow %6lld left out %4lld | mismatch %.4f %% (at most "
@@ -56,10 +56,16 @@ void VolumeTest::CheckTruth(
     static_cast<long long>(error->GetUncertainPixels()), error->GetMismatchPercent(),
     mismatchPercent, static_cast<long long>(error->GetGrossFalsePixels()),
     static_cast<long long>(error->GetGrossMissedPixels()), grossPixels);
-  EXPECT_GT(error->GetReceiverPixels(), 0) << what;
-  EXPECT_GT(error->GetShadowPixels(), 0) << what;
   EXPECT_LE(error->GetMismatchPercent(), mismatchPercent) << what << ": mismatch %";
   EXPECT_LE(static_cast<double>(error->GetGrossPixels()), grossPixels) << what << ": gross pixels";
+  return static_cast<double>(error->GetShadowPixels());
+}
+
+void VolumeTest::CheckTruth(
+  const std::string& what, vtkLight* light, double mismatchPercent, double grossPixels)
+{
+  EXPECT_GT(this->CheckTruthIfAny(what, light, mismatchPercent, grossPixels), 0.0)
+    << what << ": no shadow is seen";
 }
 
 void VolumeTest::CheckMeanMismatch(double percent)
