@@ -59,6 +59,11 @@ void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane)
 // Whether, within the four sides of the view, a face of the box has a part where plane.x < 0.
 bool SeenFacesCross(const glm::dmat4& clipFromWorld, const glm::dvec4& plane, const BoxCorners& box)
 {
+  if (std::all_of(box.begin(), box.end(),
+        [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) >= 0.0; }))
+  {
+    return false; // as nearly all of them
+  }
   const glm::dvec4 w = glm::row(clipFromWorld, 3);
   for (const auto& face : BoxFaces)
   {
