@@ -56,6 +56,36 @@ void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane)
   polygon.swap(kept);
 }
 
+// Whether, within the four sides of the view, a face of the box has a part where plane.x < 0.
+bool SeenFacesCross(const glm::dmat4& clipFromWorld, const glm::dvec4& plane, const BoxCorners& box)
+{
+  if (std::all_of(box.begin(), box.end(),
+        [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) >= 0.0; }))
+  {
+    return false; // as nearly all of them
+  }
+  const glm::dvec4 w = glm::row(clipFromWorld, 3);
+  for (const auto& face : BoxFaces)
+  {
+    std::vector<glm::dvec3> polygon;
+    for (const int corner : face)
+    {
+      polygon.push_back(box[corner]);
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      ClipPolygon(polygon, w + glm::row(clipFromWorld, axis));
+      ClipPolygon(polygon, w - glm::row(clipFromWorld, axis));
+    }
+    if (std::any_of(polygon.begin(), polygon.end(),
+          [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) < 0.0; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Whether all of the shadow lies where plane.x < 0.
 bool ShadowLiesBehind(const glm::dvec4& plane, const glm::dvec4& light, const BoxCorners& caster)
 {
@@ -261,6 +291,32 @@ bool NearPlaneMayBeShadowed(
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool NearPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box)
+{
+  if (SeenFacesCross(clipFromWorld, glm::row(clipFromWorld, 3) + glm::row(clipFromWorld, 2), box))
+  {
+    return true;
+  }
+  // The eye within the box sees no face of it on the way to the near plane.
+  Box bounds;
+  bounds.Add(box);
+  const std::array<glm::dvec3, 4> quad = NearQuad(clipFromWorld);
+  return std::any_of(quad.begin(), quad.end(),
+    [&bounds](const glm::dvec3& p)
+    {
+      return glm::all(glm::greaterThanEqual(p, bounds.minimum)) &&
+        glm::all(glm::lessThanEqual(p, bounds.maximum));
+    });
+}
+
+//------------------------------------------------------------------------------
+bool FarPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box)
+{
+  return SeenFacesCross(
+    clipFromWorld, glm::row(clipFromWorld, 3) - glm::row(clipFromWorld, 2), box);
 }
 
 //------------------------------------------------------------------------------

@@ -66,6 +66,11 @@ bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorn
 bool NearPlaneMayBeShadowed(
   const glm::dmat4& clipFromWorld, const glm::dvec4& light, const BoxCorners& caster);
 
+// Whether the near plane, or the far plane, can cut away a part of the box that the eye would see
+// otherwise.
+bool NearPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box);
+bool FarPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box);
+
 // Whether the eye itself can lie in the caster's shadow. An eye is (position, 1), or for a parallel
 // projection (the direction from which it looks, 0): the point at infinity there.
 bool EyeMayBeShadowed(const glm::dvec4& eye, const glm::dvec4& light, const BoxCorners& caster);

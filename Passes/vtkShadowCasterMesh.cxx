@@ -28,7 +28,8 @@ vtkShadowCasterMesh vtkShadowCasterMesh::Build(const vtkShadowScene::Piece& piec
     glm::translate(glm::scale(glm::dmat4(1.0), place.Scale), -place.Shift);
   vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
     piece, casterFromModel, piece.WorldFromModel * out.ModelFromCaster);
-  out.Skipped = geometry.Skipped;
+  out.Skipped =
+    geometry.Skipped.empty() && !geometry.Spheres.empty() ? "sphere impostors" : geometry.Skipped;
   const auto bad = std::find_if_not(geometry.Vertices.begin(), geometry.Vertices.end(), IsFinite);
   if (bad != geometry.Vertices.end())
   {

@@ -35,6 +35,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 
 vtkStandardNewMacro(vtkShadowScene);
 
@@ -268,6 +269,7 @@ public:
   std::map<vtkMapper*, KnownPlane> Planes;
   std::vector<std::uint64_t> CasterSignature;
   vtkTimeStamp CasterTime;
+  std::set<vtkProp*> Unbounded, UnboundedBefore; // of this frame, and of the last
 
   void GatherLights(vtkRenderer* renderer);
   void GatherProps(vtkRenderer* renderer);
@@ -361,6 +363,7 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
     piece.CornersWC[i] = glm::dvec3(piece.WorldFromModel * cornerMC);
     if (!std::isfinite(glm::dot(piece.CornersWC[i], glm::dvec3(1.0))))
     {
+      this->Unbounded.insert(prop.Source);
       return;
     }
   }
@@ -386,6 +389,8 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
 void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
 {
   this->Props.clear();
+  this->UnboundedBefore.swap(this->Unbounded);
+  this->Unbounded.clear();
   vtkCollectionSimpleIterator it;
   vtkPropCollection* props = renderer->GetViewProps();
   props->InitTraversal(it);
@@ -453,6 +458,16 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
   this->Internal->GatherLights(renderer);
   this->Internal->GatherProps(renderer);
   this->Internal->StampCasters();
+  for (vtkProp* prop : this->Internal->Unbounded)
+  {
+    if (this->Internal->UnboundedBefore.count(prop) == 0)
+    {
+      vtkWarningMacro("The prop "
+        << prop->GetClassName() << " (" << prop
+        << ") has bounds that are not finite: what of it has none casts no shadow. Remove its "
+           "points that are infinite, or repair its matrix.");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 #include "vtkShadowVolumeCaster.h"
 
-#include "vtkShadowCasterGeometry.h"
+#include "vtkShadowCasterMesh.h"
 #include "vtkShadowOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -29,11 +29,6 @@ Scratch& SharedScratch()
 {
   static thread_local Scratch scratch;
   return scratch;
-}
-
-bool IsFinite(const glm::vec3& p)
-{
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 unsigned int MakeBuffer(GLenum target, const void* data, std::size_t bytes)
@@ -69,39 +64,29 @@ bool vtkShadowVolumeCaster::Update(
   const double determinant = glm::determinant(glm::dmat3(this->WorldFromCaster));
   this->Mirrored = determinant < 0.0;
   const bool isSingular = !(std::abs(determinant) > 0.0) || !std::isfinite(determinant);
-  // A fault of the shape leaves no triangles; this one goes with the matrix.
-  if (!this->IsEmpty())
-  {
-    this->Fault = isSingular ? "a matrix that flattens it or is not finite (its determinant is " +
-        std::to_string(determinant) + ")"
-                             : "";
-  }
+  this->Fault = isSingular && !this->IsEmpty()
+    ? "a matrix that flattens it or is not finite (its determinant is " +
+      std::to_string(determinant) + ")"
+    : this->MeshFault;
   return isStale;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
 {
-  const vtkShadowCasterGeometry::VertexPlace place =
-    vtkShadowCasterGeometry::PlaceOfVertices(piece.Mapper);
-  this->ModelFromCaster =
-    glm::scale(glm::translate(glm::dmat4(1.0), place.Shift), 1.0 / place.Scale);
-  const glm::dmat4 casterFromModel =
-    glm::translate(glm::scale(glm::dmat4(1.0), place.Scale), -place.Shift);
-  vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
-    piece, casterFromModel, piece.WorldFromModel * this->ModelFromCaster);
-  this->Skipped = geometry.Skipped;
-  this->Fault.clear();
-  const auto bad = std::find_if_not(geometry.Vertices.begin(), geometry.Vertices.end(), IsFinite);
-  if (bad != geometry.Vertices.end())
+  vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
+  this->ModelFromCaster = caster.ModelFromCaster;
+  this->Skipped = caster.Skipped;
+  this->MeshFault = caster.Fault;
+  this->Mesh = std::move(caster.Mesh);
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (this->Mesh.points.size() > static_cast<std::size_t>(most))
   {
-    this->Fault = "a point that is not finite (number " +
-      std::to_string(bad - geometry.Vertices.begin()) + " of its surface)";
+    this->MeshFault = std::to_string(this->Mesh.points.size()) + " points, more than the " +
+      std::to_string(most) + " that this OpenGL driver takes at once";
     this->Mesh = {};
-    return;
   }
-  this->Mesh =
-    vtkshadows::BuildShadowMesh(std::move(geometry.Vertices), std::move(geometry.Triangles));
   if (!this->IsEmpty())
   {
     this->UploadPoints();

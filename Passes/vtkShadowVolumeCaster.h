@@ -1,10 +1,9 @@
 // One caster of shadow volumes: its mesh, built once a shape; its points with the driver; and one
 // volume a light, built again only when the light moved relative to it.
 //
-// All in the caster's own coordinates (TC): the floats that its mapper hands to OpenGL (see
-// vtkShadowCasterGeometry::PlaceOfVertices). The same floats by the same matrix give the same
-// pixels and depths, so that a cap ties with the surface that it lies on; and an actor that moves
-// changes nothing but where the light is.
+// All in the caster's own coordinates (see vtkShadowCasterMesh.h). The same floats by the same
+// matrix give the same pixels and depths, so that a cap ties with the surface that it lies on; and
+// an actor that moves changes nothing but where the light is.
 #ifndef vtkShadowVolumeCaster_h
 #define vtkShadowVolumeCaster_h
 
@@ -87,7 +86,7 @@ private:
   void UploadPoints();
 
   std::vector<std::uint64_t> Shape;
-  std::string Fault, Skipped;
+  std::string MeshFault, Fault, Skipped; // of the shape alone, and with the matrix
   vtkshadows::ShadowMesh<float> Mesh;
   glm::dmat4 ModelFromCaster{ 1.0 }, WorldFromCaster{ 1.0 };
   bool Mirrored = false;

@@ -375,8 +375,20 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
   this->DrawSection(volume.Doubles, 2 * way, -2 * way, behind, phase);
   if (behind)
   {
+    // A face that the near plane cuts is cut into other triangles, and seen edge-on those have
+    // other depths: a cap must be cut as the receiver is that it lies on. What it loses lies before
+    // every receiver and would not be counted.
+    const bool clips = draw.ClipsCaps && this->CurrentEye.UsesDepthClamp;
+    if (clips)
+    {
+      glDisable(GL_DEPTH_CLAMP);
+    }
     this->DrawSection(volume.Caps, way, -way, behind, phase);
     this->DrawSection(volume.TurnedCaps, -way, way, behind, phase);
+    if (clips)
+    {
+      glEnable(GL_DEPTH_CLAMP);
+    }
     if (draw.FarCaps)
     {
       this->Program->SetUniformi("shadowAllAreImages", 1);

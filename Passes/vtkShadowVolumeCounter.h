@@ -57,6 +57,7 @@ public:
     glm::dvec4 LightWC{ 0.0 };
     glm::dvec4 FarPlaneWC{ 0.0 }; // n.x <= d as (n, d); n = 0: to infinity
     bool FarCaps = true;
+    bool ClipsCaps = false; // its near plane cuts the caster, its far plane does not
     Rule Faces = Rule::Fail;
     vtkshadows::ViewBounds Bounds; // nothing of it is wanted outside
   };

@@ -55,6 +55,7 @@ struct Caster
   const vtkShadowScene::Piece* Piece = nullptr;
   vtkShadowVolumeCaster* Geometry = nullptr;
   bool DrawnWhole = false;
+  bool ClipsCaps = false;
 };
 
 }
@@ -269,6 +270,13 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   const vtkshadows::LightView view = my.SetEye(frame, this->InfiniteProjection);
   bool done = my.Masks.Id() != 0 && my.Counter.Reserve(frame, anySoft) &&
     my.Counter.DrawReceivers(frame, view);
+  for (Caster& caster : my.Casters)
+  {
+    const glm::dmat4& clipFromWorld = my.Eye.ClipFromWorld;
+    const bool isCut = vtkshadows::NearPlaneMayCut(clipFromWorld, caster.Piece->CornersWC);
+    caster.DrawnWhole = caster.DrawnWhole && !isCut;
+    caster.ClipsCaps = isCut && !vtkshadows::FarPlaneMayCut(clipFromWorld, caster.Piece->CornersWC);
+  }
   my.Countings.assign(lights.size(), {});
   for (std::size_t slot = 0; done && slot < lights.size(); ++slot)
   {
@@ -342,6 +350,7 @@ bool vtkStencilShadowVolumePass::CountVolumes(
     vtkShadowVolumeCounter::Draw draw;
     draw.Caster = caster.Geometry;
     draw.LightWC = lightWC;
+    draw.ClipsCaps = caster.ClipsCaps;
     switch (this->Variant)
     {
       case Z_FAIL:

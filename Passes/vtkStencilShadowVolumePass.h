@@ -14,8 +14,9 @@
  *
  * Everything that is drawn is drawn once: the sides, and where faces are counted behind the
  * receiver (z-fail) the caps. Counting those before the receiver (z-pass) needs no caps and is
- * chosen, for each caster and frame, where the eye cannot lie in that caster's shadow (where depths
- * are not clamped, its near plane) and the caster is drawn whole.
+ * chosen, for each caster and frame, where the eye (where depths are not clamped, its near plane)
+ * cannot lie in that caster's shadow and the caster is drawn whole: not culled, translucent or cut
+ * by the near plane.
  *
  * Limits: triangles cast, also those of glyphs and composite blocks; lines, points and impostors do
  * not (one warning names the caster). The mask is one answer a pixel: multisampling does not refine

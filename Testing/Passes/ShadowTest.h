@@ -6,6 +6,7 @@
 #include "vtkDepthShadowMapPass.h"
 #include "vtkRayCastShadowPass.h"
 #include "vtkShadowPass.h"
+#include "vtkStencilShadowVolumePass.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

@@ -5,12 +5,9 @@
 
 #include "vtkShadowErrorMeasure.h"
 
-#include <vtkActorCollection.h>
 #include <vtkImageData.h>
 #include <vtkLightCollection.h>
-#include <vtkMapper.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -51,32 +48,6 @@ vtkIdType CountAcne(vtkShadowErrorMeasure* error)
     }
   }
   return count;
-}
-
-// Moves what stands in the scene: by matrices, or by giving it other coordinates, in double.
-void PlaceActors(vtkRenderer* renderer, vtkTransform* worldFromScene, bool byActor)
-{
-  vtkActorCollection* actors = renderer->GetActors();
-  actors->InitTraversal();
-  while (vtkActor* actor = actors->GetNextActor())
-  {
-    if (byActor)
-    {
-      actor->SetUserTransform(worldFromScene);
-      continue;
-    }
-    vtkNew<vtkTransform> worldFromModel;
-    worldFromModel->Concatenate(worldFromScene);
-    worldFromModel->Concatenate(actor->GetMatrix());
-    vtkNew<vtkTransformPolyDataFilter> move;
-    move->SetInputConnection(actor->GetMapper()->GetInputConnection(0, 0));
-    move->SetTransform(worldFromModel);
-    move->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    actor->GetMapper()->SetInputConnection(move->GetOutputPort());
-    actor->SetPosition(0.0, 0.0, 0.0);
-    actor->SetOrientation(0.0, 0.0, 0.0);
-    actor->SetScale(1.0, 1.0, 1.0);
-  }
 }
 
 struct WindowSize

@@ -277,7 +277,7 @@ TEST_F(Errors, ShaderWithoutTags)
                                                   "}\n");
   const Frame plain = this->RenderWithoutPass();
   TakeMessages();
-  for (const std::string technique : { "depth-map", "ray-cast" })
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
   {
     this->Shadows->SetTechnique(technique);
     const Frame frame = this->Render();
@@ -313,7 +313,7 @@ TEST_F(Errors, LinesByRayCast)
 // Scenes that are merely empty.
 TEST_F(Errors, EmptyScenes)
 {
-  for (const std::string technique : { "depth-map", "ray-cast", "none" })
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast", "none" })
   {
     this->Shadows->SetTechnique(technique);
     this->CheckLit("nothing at all, " + technique, this->Render());
@@ -331,7 +331,7 @@ TEST_F(Errors, NoLights)
   {
     this->Renderer->RemoveAllLights();
     this->Renderer->SetAutomaticLightCreation(automatic);
-    for (const std::string technique : { "depth-map", "ray-cast" })
+    for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
     {
       this->Shadows->SetTechnique(technique);
       this->CheckLit("no light, " + technique, this->Render());
@@ -342,7 +342,7 @@ TEST_F(Errors, NoLights)
 TEST_F(Errors, NoCastersAndNoReceivers)
 {
   this->AddScene();
-  for (const std::string technique : { "depth-map", "ray-cast" })
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
   {
     this->Shadows->SetTechnique(technique);
     this->SetKeys(false, true);
@@ -365,7 +365,7 @@ TEST_F(Errors, CastersOutOfReach)
   AddSphere(this->Renderer, { 0.0, 0.0, -3.0 }, 0.5); // behind the floor, as the light sees it
   auto light = AddSun(this->Renderer, { 0.0, 0.0, -1.0 });
   LookAt(this->Renderer, { 0.0, -6.0, 6.0 }, { 0.0, 0.0, 0.3 });
-  for (const std::string technique : { "depth-map", "ray-cast" })
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
   {
     this->Shadows->SetTechnique(technique);
     this->CheckLit("behind the floor, " + technique, this->Render());
@@ -393,10 +393,31 @@ TEST_F(Errors, EmptyAndBrokenMeshes)
   }
   vtkNew<vtkActor> noMapper;
   this->Renderer->AddActor(noMapper);
-  for (const std::string technique : { "depth-map", "ray-cast" })
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
   {
     this->Shadows->SetTechnique(technique);
     this->CheckShadowed(technique, this->Render());
+  }
+}
+
+// Told once, whatever the technique, and again if it comes back.
+TEST_F(Errors, BoundsThatAreNotFinite)
+{
+  this->AddScene();
+  auto ball = AddSphere(this->Renderer, { -2.0, 0.0, 1.0 }, 0.4);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
+  {
+    this->Shadows->SetTechnique(technique);
+    ball->SetPosition(0.0, infinity, 0.0);
+    this->CheckShadowed(technique + ", the others", this->Render());
+    std::ostringstream name;
+    name << "vtkOpenGLActor (" << ball.Get() << ")";
+    ExpectOneMessage({ "vtkShadowScene", name.str(), "not finite", "matrix" });
+    this->Render();
+    Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
+    ball->SetPosition(0.0, 0.0, 0.0);
+    this->CheckShadowed(technique + ", repaired", this->Render());
   }
 }
 
@@ -411,7 +432,7 @@ TEST_F(Errors, DegenerateLightsAndMatrices)
   auto flat = AddSphere(this->Renderer, { 0.0, 0.0, 0.0 }, 0.5);
   flat->SetPosition(-2.0, 0.0, 1.0);
   flat->SetScale(1.0, 1.0, 0.0);
-  for (const std::string technique : { "depth-map", "ray-cast" })
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
   {
     this->Shadows->SetTechnique(technique);
     this->CheckShadowed(technique, this->Render());
@@ -466,10 +487,12 @@ TEST_F(Errors, Prints)
   std::ostringstream text;
   this->Shadows->Print(text);
   this->Shadows->GetDepthShadowMapPass()->Print(text);
+  this->Shadows->GetStencilShadowVolumePass()->Print(text);
   this->Shadows->GetScene()->Print(text);
   vtkNew<vtkShadowErrorMeasure> error;
   error->Print(text);
-  for (const std::string part : { "Technique: depth-map", "Resolution: 2048", "NumberOfLights: 1" })
+  for (const std::string part : { "Technique: depth-map", "Resolution: 2048", "NumberOfLights: 1",
+         "Variant: 0", "NumberOfOverflows: 0" })
   {
     EXPECT_NE(text.str().find(part), std::string::npos) << "no \"" << part << "\"";
   }

@@ -105,6 +105,34 @@ TEST_F(Regression, StillLifeByRayCast)
   this->CheckPicture("StillLifeByRayCast");
 }
 
+TEST_F(Regression, StillLifeByStencilVolume)
+{
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->AddFillLight();
+  this->Shadows->SetTechnique("stencil-volume");
+  this->CheckPicture("StillLifeByStencilVolume");
+}
+
+// The views that explain it. The eye stands in the shadow of a box that it does not see: one volume
+// is counted behind the receiver.
+TEST_F(Regression, DebugViews)
+{
+  const glm::dvec3 toward = Toward(65.0, 30.0);
+  AddSun(this->Renderer, -toward)->SetIntensity(0.8);
+  this->AddFillLight();
+  const double* eye = this->Renderer->GetActiveCamera()->GetPosition();
+  const glm::dvec3 centre = glm::dvec3(eye[0], eye[1], eye[2]) + 3.0 * toward;
+  AddBox(this->Renderer, centre - 1.0, centre + 1.0);
+  this->Shadows->SetTechnique("stencil-volume");
+  for (const std::string view : { "Volumes", "Silhouette", "Counts" })
+  {
+    this->Shadows->SetDebugView(view == "Volumes" ? "volumes"
+        : view == "Counts"                        ? "counts"
+                                                  : "silhouette");
+    this->CheckPicture("DebugView" + view);
+  }
+}
+
 TEST_F(Regression, TwoColouredLights)
 {
   AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 40.0)->SetColor(1.0, 0.6, 0.3);

@@ -2,16 +2,20 @@
 
 #include "ShadowTest.h"
 
+#include <vtkActorCollection.h>
 #include <vtkCellArray.h>
 #include <vtkConeSource.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkMapper.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
 #include <vtkTubeFilter.h>
 
 #include <glm/geometric.hpp>
@@ -243,6 +247,32 @@ Subject AddTubesAndGlyphs(vtkRenderer* renderer)
   AddActor(renderer, tubes)->GetProperty()->SetColor(0.4, 0.6, 0.8);
   AddGlyphs(renderer, 1200);
   return { { 0.0, 0.0, 1.3 }, 2.4 };
+}
+
+//------------------------------------------------------------------------------
+void PlaceActors(vtkRenderer* renderer, vtkTransform* worldFromScene, bool byActor)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor())
+  {
+    if (byActor)
+    {
+      actor->SetUserTransform(worldFromScene);
+      continue;
+    }
+    vtkNew<vtkTransform> worldFromModel;
+    worldFromModel->Concatenate(worldFromScene);
+    worldFromModel->Concatenate(actor->GetMatrix());
+    vtkNew<vtkTransformPolyDataFilter> move;
+    move->SetInputConnection(actor->GetMapper()->GetInputConnection(0, 0));
+    move->SetTransform(worldFromModel);
+    move->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    actor->GetMapper()->SetInputConnection(move->GetOutputPort());
+    actor->SetPosition(0.0, 0.0, 0.0);
+    actor->SetOrientation(0.0, 0.0, 0.0);
+    actor->SetScale(1.0, 1.0, 1.0);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 
 class vtkPolyData;
 class vtkRenderer;
+class vtkTransform;
 
 namespace shadowtest
 {
@@ -39,6 +40,9 @@ Subject AddTubesAndGlyphs(vtkRenderer* renderer);
 // The surface position(u, v), u and v from 0 to 1, of uCells x vCells quads cut in two.
 vtkSmartPointer<vtkPolyData> MakeSurface(
   int uCells, int vCells, const std::function<glm::dvec3(double, double)>& position);
+
+// Moves what stands in the scene: by matrices, or by giving it other coordinates, in double.
+void PlaceActors(vtkRenderer* renderer, vtkTransform* worldFromScene, bool byActor);
 
 // Fills the frame with the subject, seen from `azimuth` (0: from -y; 90: from +x) and `elevation`
 // above the horizon, in degrees.

@@ -1,0 +1,340 @@
+// Casters of shadow volumes: under every matrix, of every kind, and broken.
+#include "TestScenes.h"
+#include "VolumeTest.h"
+
+#include <vtkAssembly.h>
+#include <vtkCellArray.h>
+#include <vtkCompositePolyDataMapper.h>
+#include <vtkConeSource.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkTransform.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace shadowtest;
+
+namespace
+{
+
+class StencilVolumeCasters : public CasterTest
+{
+protected:
+  // The caster, a prop added by the test, must be left out with one warning, and nothing else with
+  // it.
+  void CheckLeftOut(const std::string& what, vtkProp* bad, const std::vector<std::string>& parts);
+};
+
+std::string AddressOf(const void* object)
+{
+  std::ostringstream text;
+  text << object;
+  return text.str();
+}
+
+void StencilVolumeCasters::CheckLeftOut(
+  const std::string& what, vtkProp* bad, const std::vector<std::string>& parts)
+{
+  // It may be seen, but not be measured.
+  vtkShadowPass::SetReceivesShadows(bad, false);
+  this->AddThing();
+  bad->VisibilityOff();
+  this->Render();
+  const Visibility without = this->VisibilityOf(this->Sun);
+  EXPECT_GT(without.CountShadowed(), 1000u);
+  bad->VisibilityOn();
+  this->Render();
+  std::vector<std::string> all = parts;
+  all.push_back("vtkOpenGLActor (" + AddressOf(bad) + ")");
+  ExpectOneMessage(all);
+  std::size_t others = 0;
+  const Visibility with = this->VisibilityOf(this->Sun);
+  for (std::size_t i = 0; i < with.values.size(); ++i)
+  {
+    // Where the bad one is drawn itself it is lit.
+    others += with.values[i] < 0.5f && without.values[i] > 0.5f ? 1 : 0;
+  }
+  Check(what + ": pixels that it shadows", static_cast<double>(others), 0.0);
+  CheckAtLeast(what + ": pixels in shadow still", static_cast<double>(with.CountShadowed()),
+    0.8 * without.CountShadowed());
+  this->Render();
+  Check(what + ": messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
+  Check(what + ": OpenGL error", TakeOpenGLError(), 0.0);
+}
+
+}
+
+//------------------------------------------------------------------------------
+// Matrices.
+TEST_F(StencilVolumeCasters, Matrices)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto thing = this->AddThing();
+  this->CheckBoth("plain");
+  thing->SetScale(-1.0, 1.0, 1.0);
+  this->CheckBoth("mirrored");
+  thing->SetScale(-1.3, 0.7, -1.1);
+  this->CheckBoth("mirrored twice");
+  thing->SetScale(1.5, 0.5, 0.05);
+  thing->SetOrientation(20.0, 30.0, 40.0);
+  this->CheckBoth("scaled unevenly");
+  thing->SetScale(1.0, 1.0, 1.0);
+  vtkNew<vtkMatrix4x4> shear;
+  shear->SetElement(0, 2, 0.8);
+  shear->SetElement(1, 0, -0.4);
+  shear->SetElement(2, 2, -0.7);
+  shear->SetElement(2, 3, 2.0);
+  thing->SetUserMatrix(shear);
+  this->CheckBoth("sheared and mirrored");
+  this->CheckMeanMismatch(0.005);
+}
+
+TEST_F(StencilVolumeCasters, AssembliesGlyphsAndComposites)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(Thing());
+  vtkNew<vtkActor> part, other;
+  part->SetMapper(mapper);
+  part->SetScale(0.5, 0.6, 0.4);
+  part->SetPosition(-0.8, 0.0, 0.3);
+  other->SetMapper(mapper);
+  other->SetScale(-0.5, 0.5, 0.5);
+  other->SetPosition(0.7, 0.3, 0.0);
+  vtkNew<vtkAssembly> inner, outer;
+  inner->AddPart(other);
+  inner->RotateX(40.0);
+  outer->AddPart(part);
+  outer->AddPart(inner);
+  outer->SetPosition(0.0, 0.0, 1.2);
+  outer->RotateZ(25.0);
+  this->Renderer->AddViewProp(outer);
+  this->CheckBoth("assembly of one mesh twice");
+  this->Renderer->RemoveViewProp(outer);
+
+  vtkNew<vtkPoints> places;
+  for (int i = 0; i < 30; ++i)
+  {
+    places->InsertNextPoint(1.6 * std::cos(2.4 * i), 1.6 * std::sin(2.1 * i), 0.8 + 0.03 * i);
+  }
+  vtkNew<vtkPolyData> where;
+  where->SetPoints(places);
+  vtkNew<vtkGlyph3DMapper> glyphs;
+  glyphs->SetInputData(where);
+  glyphs->SetSourceData(Thing());
+  glyphs->SetScaleFactor(0.2);
+  vtkNew<vtkActor> many;
+  many->SetMapper(glyphs);
+  this->Renderer->AddActor(many);
+  this->CheckBoth("glyphs");
+  this->Renderer->RemoveActor(many);
+
+  vtkNew<vtkMultiBlockDataSet> blocks, nested;
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(1.3, 0.9, 0.2);
+  ball->Update();
+  nested->SetBlock(0, ball->GetOutput());
+  blocks->SetBlock(0, Thing());
+  blocks->SetBlock(1, nested);
+  vtkNew<vtkCompositePolyDataMapper> composite;
+  composite->SetInputDataObject(blocks);
+  vtkNew<vtkActor> whole;
+  whole->SetMapper(composite);
+  whole->SetPosition(0.0, 0.0, 1.3);
+  this->Renderer->AddActor(whole);
+  this->CheckBoth("composite");
+}
+
+TEST_F(StencilVolumeCasters, OffsetsAndScales)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const struct
+  {
+    const char* name;
+    double offset;
+    double scale;
+  } placements[] = { { "plain", 0.0, 1.0 }, { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
+    { "scale 1e6", 0.0, 1e6 } };
+  Visibility plain;
+  for (const auto& placement : placements)
+  {
+    for (const bool byActor : { true, false })
+    {
+      this->Renderer->RemoveAllViewProps();
+      this->Renderer->RemoveAllLights();
+      Subject subject = AddStillLife(this->Renderer);
+      const auto place = [&placement](const glm::dvec3& p)
+      { return glm::dvec3(placement.offset) + placement.scale * p; };
+      vtkNew<vtkTransform> worldFromScene;
+      worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
+      worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
+      PlaceActors(this->Renderer, worldFromScene, byActor);
+      auto spot =
+        AddSpot(this->Renderer, place({ 3.5, -3.0, 6.5 }), place({ 0.0, 0.0, 0.3 }), 35.0);
+      subject.centre = place(subject.centre);
+      subject.radius *= placement.scale;
+      AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+      const std::string what =
+        std::string(placement.name) + (byActor ? ", by actor" : ", by points");
+      this->CheckTruth(what, spot);
+      const Visibility mask = this->VisibilityOf(spot);
+      plain = plain.values.empty() ? mask : plain;
+      CheckAtMost(what + ": pixels unlike the plain scene's",
+        static_cast<double>(CountDifferent(plain, mask)), 10.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Kinds of casters.
+TEST_F(StencilVolumeCasters, Keys)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto thing = this->AddThing();
+  auto bar = AddBox(this->Renderer, { -2.5, -0.85, 2.8 }, { 2.5, -0.5, 3.0 });
+  this->CheckBoth("both cast");
+  const Visibility whole = this->VisibilityOf(this->Sun);
+  vtkShadowPass::SetCastsShadows(bar, false);
+  this->CheckBoth("the bar casts nothing");
+  CheckAtLeast("pixels that the bar shadowed",
+    static_cast<double>(CountDifferent(whole, this->VisibilityOf(this->Sun))), 500.0);
+  vtkShadowPass::SetCastsShadows(bar, true);
+  this->Render();
+  Check("casts again: pixels changed",
+    static_cast<double>(CountDifferent(whole, this->VisibilityOf(this->Sun))), 0.0);
+  vtkShadowPass::SetReceivesShadows(this->Floor, false);
+  this->Render();
+  const Visibility received = this->VisibilityOf(this->Sun);
+  const Pixel p = PixelOf(this->Renderer, { -2.5, -1.5, 0.0 });
+  int shadowOnFloor = 0;
+  for (int y = 0; y < 20; ++y)
+  {
+    for (int x = 0; x < received.width; ++x)
+    {
+      shadowOnFloor += received.At(x, y) < 0.5f ? 1 : 0;
+    }
+  }
+  Check("shadow at the window's foot, where the floor is", shadowOnFloor, 0.0);
+  EXPECT_GT(p.x, 0);
+  CheckAtLeast(
+    "pixels in shadow on the others", static_cast<double>(received.CountShadowed()), 50.0);
+  CheckAtMost("pixels in shadow on the others", static_cast<double>(received.CountShadowed()),
+    0.6 * whole.CountShadowed());
+}
+
+// What is culled while it is drawn casts all the same; and the eye may see inside.
+TEST_F(StencilVolumeCasters, CulledFacesCast)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto ball = AddSphere(this->Renderer, { 0.0, 0.0, 1.2 }, 0.7);
+  auto thing = this->AddThing();
+  thing->SetPosition(-1.5, 1.0, 1.0);
+  for (const bool front : { false, true })
+  {
+    for (vtkActor* actor : { ball.Get(), thing.Get() })
+    {
+      actor->GetProperty()->SetBackfaceCulling(!front);
+      actor->GetProperty()->SetFrontfaceCulling(front);
+    }
+    this->CheckBoth(front ? "front faces culled" : "back faces culled");
+  }
+}
+
+TEST_F(StencilVolumeCasters, WhatHasNoTrianglesIsTold)
+{
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(-1.5, 0.0, 1.0);
+  vtkNew<vtkPolyData> where;
+  where->SetPoints(places);
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  where->SetVerts(verts);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(where);
+  mapper->SetRadius(0.5f);
+  vtkNew<vtkActor> impostor;
+  impostor->SetMapper(mapper);
+  this->Renderer->AddActor(impostor);
+  this->CheckLeftOut("sphere impostor", impostor, { "\"depth-map\"" });
+}
+
+//------------------------------------------------------------------------------
+// Bad casters.
+TEST_F(StencilVolumeCasters, PointsThatAreNotFinite)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double value : { nan, infinity, -infinity })
+  {
+    for (const bool first : { true, false })
+    {
+      this->Renderer->RemoveAllViewProps();
+      AddFloor(this->Renderer, 5.0);
+      auto mesh = Thing();
+      double p[3];
+      const vtkIdType index = first ? 0 : 7;
+      mesh->GetPoint(index, p);
+      mesh->GetPoints()->SetPoint(index, p[0], value, p[2]);
+      mesh->GetPoints()->Modified();
+      auto bad = AddActor(this->Renderer, mesh);
+      bad->SetPosition(-2.0, 0.0, 1.5);
+      this->CheckLeftOut(
+        std::to_string(value) + (first ? " first" : " amid"), bad, { "not finite" });
+    }
+  }
+}
+
+TEST_F(StencilVolumeCasters, MatricesThatFlatten)
+{
+  auto bad = this->AddThing();
+  bad->SetPosition(-2.0, 0.0, 1.5);
+  bad->SetScale(1.0, 1.0, 0.0);
+  this->CheckLeftOut("scale 0", bad, { "matrix", "determinant" });
+  // Repaired, it casts as if nothing had been.
+  bad->SetScale(1.0, 1.0, 1.0);
+  this->Render();
+  const Visibility repaired = this->VisibilityOf(this->Sun);
+  vtkNew<vtkShadowPass> fresh;
+  fresh->SetTechnique("stencil-volume");
+  this->Renderer->SetPass(fresh);
+  const Frame expected = this->Render();
+  this->Renderer->SetPass(this->Shadows);
+  Check("repaired: pixels unlike a fresh pass's",
+    static_cast<double>(CountDifferent(expected, this->Render())), 0.0);
+  vtkShadowPass::SetCastsShadows(bad, false);
+  this->Render();
+  CheckAtLeast("repaired: pixels that it shadows",
+    static_cast<double>(CountDifferent(repaired, this->VisibilityOf(this->Sun))), 300.0);
+}
+
+// Nothing to say of what is merely empty.
+TEST_F(StencilVolumeCasters, EmptyMeshes)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddThing();
+  vtkNew<vtkPolyData> empty, pointless, degenerate;
+  vtkNew<vtkCellArray> nothing, polys;
+  pointless->SetPolys(nothing);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 1.0, 1.0);
+  points->InsertNextPoint(2.0, 1.0, 1.0);
+  polys->InsertNextCell({ 0, 1, 1 });
+  polys->InsertNextCell({ 0, 0, 0 });
+  degenerate->SetPoints(points);
+  degenerate->SetPolys(polys);
+  for (vtkPolyData* mesh : { empty.Get(), pointless.Get(), degenerate.Get() })
+  {
+    AddActor(this->Renderer, mesh);
+  }
+  this->CheckBoth("with empty meshes");
+  Check("messages", static_cast<double>(TakeMessages().size()), 0.0);
+}
