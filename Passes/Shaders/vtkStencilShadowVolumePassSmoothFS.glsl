@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // Visibility as a mean over n sample lights comes in steps of 1/n. Each pixel takes the mean of the widest disc
 // around it in which nothing differs from it by much more than a step: a staircase becomes a ramp, and what is
-// steeper, an edge, stays.
+// steeper, an edge, stays. So does what sees all of the light or none of it.
 //VTK::Output::Dec
 
 uniform sampler2DArray shadowSums;
@@ -15,7 +15,9 @@ void main()
   ivec2 here = ivec2(gl_FragCoord.xy);
   float centre = texelFetch(shadowSums, ivec3(here, 0), 0).r;
   float sum = centre, weights = 1.0;
-  for (int ring = 0; ring < 6; ++ring)
+  float nothing = 0.125 * shadowLargest; // rounding of the sum, at most
+  bool isBetween = centre > nothing && centre < 1.0 - nothing;
+  for (int ring = 0; isBetween && ring < 6; ++ring)
   {
     float r = float(Radii[ring]);
     float ringSum = 0.0, apart = 0.0;
