@@ -186,8 +186,13 @@ int main(int argc, char* argv[])
   for (const Case& c : cases)
   {
     std::vector<Figures> all;
-    for (double size = 1e6; size <= largest * 1.001;
-         size = size < largest ? std::min(size * 2.7, largest) : 2 * largest)
+    std::vector<double> sizes;
+    for (double size = 1e6; size < 0.9 * largest; size *= 2.7)
+    {
+      sizes.push_back(size);
+    }
+    sizes.push_back(largest);
+    for (const double size : sizes)
     {
       all.push_back(Measure(c.name, c.make(static_cast<std::size_t>(size)), c.lightInside));
     }
