@@ -3,8 +3,8 @@
 //
 // Three ways to count:
 // - Stencil: the stencil's 8 bits, faces that add drawn ahead of those that take away. A count that
-//   reached 255 is seen, and then floats count instead: exact, and a third cheaper where, as almost
-//   everywhere, it does not happen;
+//   reached 255 is seen, and then floats count instead: exact, and cheaper where many faces overlap
+//   and, as almost everywhere, that does not happen;
 // - WrappingStencil: all faces in one go, modulo 256 (Heidmann 1991): right up to 127;
 // - Float: by blending, exact up to 2^24.
 #ifndef vtkShadowVolumeCounter_h

@@ -84,7 +84,7 @@ public:
    *   a count reached 255, that light is counted again in floats. Always right.
    * - WRAPPING_STENCIL: the stencil, all in one go (Heidmann 1991): right up to 127 volumes one in
    *   another, and blind to 256 of them.
-   * - FLOAT_COUNTER: floats, by blending. Always right; a third slower on software OpenGL.
+   * - FLOAT_COUNTER: floats, by blending. Always right; slower where many faces overlap.
    */
   enum CounterType
   {
