@@ -102,6 +102,7 @@ def enable(
         for comparison: they are wrong in some views.
     counter : stencil-volume: what they are counted in: "automatic" (default), "wrapping-stencil" (wrong
         from 128 volumes, one in another) or "float".
+    smoothing : stencil-volume: make ramps of the steps between sample lights (True).
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
     radius : 0 or more (0): size of every light that the renderer has now. stencil-volume and ray-cast
@@ -375,6 +376,16 @@ def _set_counter(shadows, renderer, value):
     shadows.GetStencilShadowVolumePass().SetCounter(_COUNTERS[value])
 
 
+def _set_smoothing(shadows, renderer, value):
+    shadows.GetStencilShadowVolumePass().SetSmoothing(value)
+
+
+def _flag(name, value):
+    if not isinstance(value, (bool, numpy.bool_)):
+        raise ValueError(f"{name}: {value!r} is not True or False")
+    return bool(value)
+
+
 def _debug_views() -> List[str]:
     return _names_from(vtkShadowPass.GetDebugViewNames)
 
@@ -405,6 +416,7 @@ _SETTINGS = {
     "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
     "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),
     "counter": _Setting(lambda n, v: _one_of(n, v, _COUNTERS), _set_counter),
+    "smoothing": _Setting(_flag, _set_smoothing),
     "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
     "radius": _Setting(lambda n, v: _number(n, v, 0), _set_radius),

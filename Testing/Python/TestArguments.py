@@ -32,6 +32,7 @@ class TestArguments(unittest.TestCase):
             ("variant: 'zfail' is not known; there are automatic, z-fail", dict(variant="zfail")),
             ("variant: 1 is not known", dict(variant=1)),
             ("counter: 'abacus' .* automatic, wrapping-stencil, float", dict(counter="abacus")),
+            ("smoothing: 'much' is not True or False", dict(smoothing="much")),
             ("debug_view: 'x-ray' .* none, volumes, silhouette, counts", dict(debug_view="x-ray")),
             ("strength: 1.5 is out of range; give 0 to 1", dict(strength=1.5)),
             ("strength: nan is out of range", dict(strength=math.nan)),
@@ -54,6 +55,9 @@ class TestArguments(unittest.TestCase):
         )
         self.assertEqual((volumes.GetVariant(), volumes.GetCounter()), (3, 2))
         self.assertEqual(shadows.GetDebugView(), "counts")
+        self.assertTrue(volumes.GetSmoothing())
+        vtkshadows.enable(SCENE.renderer, smoothing=False)
+        self.assertFalse(volumes.GetSmoothing())
         vtkshadows.enable(SCENE.renderer, light_samples=16)
         self.assertEqual(volumes.GetLightSamples(), 16)
         self.assertEqual(volumes.GetVariant(), 3)  # what is not named stays
