@@ -56,15 +56,20 @@ void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane)
   polygon.swap(kept);
 }
 
-// Whether, within the four sides of the view, a face of the box has a part where plane.x < 0.
-bool SeenFacesCross(const glm::dmat4& clipFromWorld, const glm::dvec4& plane, const BoxCorners& box)
+// Where plane.x >= 0 for all of these is seen: the four sides of the view, its near and far plane.
+std::array<glm::dvec4, 6> ViewPlanes(const glm::dmat4& clipFromWorld)
 {
-  if (std::all_of(box.begin(), box.end(),
-        [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) >= 0.0; }))
-  {
-    return false; // as nearly all of them
-  }
-  const glm::dvec4 w = glm::row(clipFromWorld, 3);
+  const glm::dvec4 x = glm::row(clipFromWorld, 0), y = glm::row(clipFromWorld, 1);
+  const glm::dvec4 z = glm::row(clipFromWorld, 2), w = glm::row(clipFromWorld, 3);
+  return { w + x, w - x, w + y, w - y, w + z, w - z };
+}
+constexpr std::size_t SidePlanes = 4, NearPlane = 4, FarPlaneOfView = 5;
+
+// Calls use(p) for the corners of what of the box's faces lies within the first `count` planes.
+template <typename Use>
+void ForEachSeenCorner(
+  const BoxCorners& box, const std::array<glm::dvec4, 6>& planes, std::size_t count, const Use& use)
+{
   for (const auto& face : BoxFaces)
   {
     std::vector<glm::dvec3> polygon;
@@ -72,18 +77,37 @@ bool SeenFacesCross(const glm::dmat4& clipFromWorld, const glm::dvec4& plane, co
     {
       polygon.push_back(box[corner]);
     }
-    for (int axis = 0; axis < 2; ++axis)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      ClipPolygon(polygon, w + glm::row(clipFromWorld, axis));
-      ClipPolygon(polygon, w - glm::row(clipFromWorld, axis));
+      ClipPolygon(polygon, planes[i]);
     }
-    if (std::any_of(polygon.begin(), polygon.end(),
-          [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) < 0.0; }))
-    {
-      return true;
-    }
+    std::for_each(polygon.begin(), polygon.end(), use);
   }
-  return false;
+}
+
+// Whether, within the four sides of the view, a face of the box has a part beyond a plane of it.
+bool SeenFacesCross(const glm::dmat4& clipFromWorld, std::size_t plane, const BoxCorners& box)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  const auto isBeyond = [&](const glm::dvec3& p)
+  { return glm::dot(planes[plane], glm::dvec4(p, 1.0)) < 0.0; };
+  if (std::none_of(box.begin(), box.end(), isBeyond))
+  {
+    return false; // as nearly all of them
+  }
+  bool any = false;
+  ForEachSeenCorner(
+    box, planes, SidePlanes, [&](const glm::dvec3& p) { any = any || isBeyond(p); });
+  return any;
+}
+
+// Whether the eye's near plane reaches into the box, by its bounds.
+bool HoldsNearPlane(const std::array<glm::dvec3, 4>& nearQuad, const BoxCorners& box)
+{
+  Box bounds;
+  bounds.Add(box);
+  return std::any_of(
+    nearQuad.begin(), nearQuad.end(), [&bounds](const glm::dvec3& p) { return bounds.Holds(p); });
 }
 
 // Whether all of the shadow lies where plane.x < 0.
@@ -126,6 +150,12 @@ void Box::AddPoint(const glm::dvec3& p)
   this->minimum = this->isEmpty ? p : glm::min(this->minimum, p);
   this->maximum = this->isEmpty ? p : glm::max(this->maximum, p);
   this->isEmpty = false;
+}
+
+bool Box::Holds(const glm::dvec3& p) const
+{
+  return !this->isEmpty && glm::all(glm::greaterThanEqual(p, this->minimum)) &&
+    glm::all(glm::lessThanEqual(p, this->maximum));
 }
 
 //------------------------------------------------------------------------------
@@ -220,16 +250,9 @@ glm::dvec3 ImageOnPlane(
 bool ShadowMayBeSeen(
   const glm::dmat4& clipFromWorld, const glm::dvec4& light, const BoxCorners& caster)
 {
-  const glm::dvec4 w = glm::row(clipFromWorld, 3);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const glm::dvec4 side = glm::row(clipFromWorld, axis);
-    if (ShadowLiesBehind(w + side, light, caster) || ShadowLiesBehind(w - side, light, caster))
-    {
-      return false;
-    }
-  }
-  return true;
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  return std::none_of(planes.begin(), planes.end(),
+    [&](const glm::dvec4& plane) { return ShadowLiesBehind(plane, light, caster); });
 }
 
 //------------------------------------------------------------------------------
@@ -296,27 +319,15 @@ bool NearPlaneMayBeShadowed(
 //------------------------------------------------------------------------------
 bool NearPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box)
 {
-  if (SeenFacesCross(clipFromWorld, glm::row(clipFromWorld, 3) + glm::row(clipFromWorld, 2), box))
-  {
-    return true;
-  }
   // The eye within the box sees no face of it on the way to the near plane.
-  Box bounds;
-  bounds.Add(box);
-  const std::array<glm::dvec3, 4> quad = NearQuad(clipFromWorld);
-  return std::any_of(quad.begin(), quad.end(),
-    [&bounds](const glm::dvec3& p)
-    {
-      return glm::all(glm::greaterThanEqual(p, bounds.minimum)) &&
-        glm::all(glm::lessThanEqual(p, bounds.maximum));
-    });
+  return SeenFacesCross(clipFromWorld, NearPlane, box) ||
+    HoldsNearPlane(NearQuad(clipFromWorld), box);
 }
 
 //------------------------------------------------------------------------------
 bool FarPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box)
 {
-  return SeenFacesCross(
-    clipFromWorld, glm::row(clipFromWorld, 3) - glm::row(clipFromWorld, 2), box);
+  return SeenFacesCross(clipFromWorld, FarPlaneOfView, box);
 }
 
 //------------------------------------------------------------------------------
@@ -366,47 +377,22 @@ DepthRange SeenDepths(const glm::dmat4& clipFromView, const glm::dmat4& viewFrom
   };
   const DepthRange whole{ depthAt(-1.0), depthAt(1.0) };
   const glm::dmat4 clipFromWorld = clipFromView * viewFromWorld;
-  const glm::dvec4 w = glm::row(clipFromWorld, 3);
-  std::vector<glm::dvec4> planes;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const glm::dvec4 side = glm::row(clipFromWorld, axis);
-    planes.push_back(w + side);
-    planes.push_back(w - side);
-  }
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
   const glm::dvec4 depth = -glm::row(viewFromWorld, 2);
   const std::array<glm::dvec3, 4> nearQuad = NearQuad(clipFromWorld);
 
   DepthRange seen{ Infinity, -Infinity };
   for (const BoxCorners& box : boxes)
   {
-    for (const auto& face : BoxFaces)
-    {
-      std::vector<glm::dvec3> polygon;
-      for (const int corner : face)
-      {
-        polygon.push_back(box[corner]);
-      }
-      for (const glm::dvec4& plane : planes)
-      {
-        ClipPolygon(polygon, plane);
-      }
-      for (const glm::dvec3& p : polygon)
+    ForEachSeenCorner(box, planes, planes.size(),
+      [&](const glm::dvec3& p)
       {
         const double d = glm::dot(depth, glm::dvec4(p, 1.0));
         seen.nearest = std::min(seen.nearest, d);
         seen.farthest = std::max(seen.farthest, d);
-      }
-    }
+      });
     // An eye within the box may see something at once.
-    Box bounds;
-    bounds.Add(box);
-    for (const glm::dvec3& p : nearQuad)
-    {
-      const bool isInside = glm::all(glm::greaterThanEqual(p, bounds.minimum)) &&
-        glm::all(glm::lessThanEqual(p, bounds.maximum));
-      seen.nearest = isInside ? whole.nearest : seen.nearest;
-    }
+    seen.nearest = HoldsNearPlane(nearQuad, box) ? whole.nearest : seen.nearest;
   }
   const double margin = FarMargin * (seen.farthest - seen.nearest) +
     1.0e-6 * std::max(std::abs(seen.nearest), std::abs(seen.farthest));

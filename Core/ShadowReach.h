@@ -30,6 +30,7 @@ struct Box
     }
   }
   void AddPoint(const glm::dvec3& p);
+  bool Holds(const glm::dvec3& p) const;
 };
 
 // Whether a flat caster, in the plane n.x = d given as (n, d), has every receiver on the light's

@@ -4,6 +4,7 @@
 #include "vtkDepthShadowMapPassLookup.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowHiddenFaces.h"
+#include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
@@ -57,16 +58,6 @@ int LayerWidth(int resolution)
 
 // A matrix as GLSL takes it.
 using ShaderMatrix = std::array<float, 16>;
-
-ShaderMatrix ToShader(const glm::dmat4& m)
-{
-  ShaderMatrix out;
-  for (int i = 0; i < 16; ++i)
-  {
-    out[i] = static_cast<float>(m[i / 4][i % 4]);
-  }
-  return out;
-}
 
 // Takes every point nearer to the light than any caster.
 const ShaderMatrix LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 1 };
@@ -235,17 +226,7 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
 
   my.States.resize(slots);
   my.Matrices.resize(slots);
-  my.Receivers.clear();
-  for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
-  {
-    for (const vtkShadowScene::Piece& piece : prop.Pieces)
-    {
-      if (prop.Receives)
-      {
-        my.Receivers.push_back(piece.CornersWC);
-      }
-    }
-  }
+  my.Receivers = vtkShadowReceiverCorners(*frame.Scene);
   my.HiddenFaces.BeginFrame(frame.Scene->GetProps());
   for (int slot = 0; slot < slots; ++slot)
   {
@@ -315,8 +296,8 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
     my.States[slot] = wanted;
   }
 
-  my.Matrices[slot] =
-    ToShader(MapFromView(fitted.view, frame.ViewFromWorld, width, height, casters));
+  my.Matrices[slot] = vtkShadowMatrix::ToFloats(
+    MapFromView(fitted.view, frame.ViewFromWorld, width, height, casters));
 }
 
 //------------------------------------------------------------------------------

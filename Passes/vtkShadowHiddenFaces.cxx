@@ -1,10 +1,9 @@
 #include "vtkShadowHiddenFaces.h"
 
+#include "ShadowReach.h"
 #include "vtkShadowCasterMesh.h"
 
-#include <glm/common.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <set>
@@ -31,15 +30,9 @@ Side Survey(const vtkShadowScene::Piece& piece)
 
 bool HoldsLight(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC)
 {
-  glm::dvec3 low = piece.CornersWC[0], high = low;
-  for (const glm::dvec3& corner : piece.CornersWC)
-  {
-    low = glm::min(low, corner);
-    high = glm::max(high, corner);
-  }
-  const glm::dvec3 position(lightWC);
-  return lightWC.w != 0.0 && glm::all(glm::greaterThanEqual(position, low)) &&
-    glm::all(glm::lessThanEqual(position, high));
+  vtkshadows::Box bounds;
+  bounds.Add(piece.CornersWC);
+  return lightWC.w != 0.0 && bounds.Holds(glm::dvec3(lightWC));
 }
 
 }

@@ -6,6 +6,8 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
+
 namespace vtkShadowMatrix
 {
 
@@ -31,6 +33,17 @@ inline void ToVtk(const glm::dmat4& m, vtkMatrix4x4* out)
       out->SetElement(row, column, m[column][row]);
     }
   }
+}
+
+// As GLSL takes it, column by column.
+inline std::array<float, 16> ToFloats(const glm::dmat4& m)
+{
+  std::array<float, 16> out;
+  for (int i = 0; i < 16; ++i)
+  {
+    out[i] = static_cast<float>(m[i / 4][i % 4]);
+  }
+  return out;
 }
 
 }

@@ -222,8 +222,10 @@ vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
       &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
   }
   frame.HasDelegate = this->Delegate != nullptr;
-  frame.ViewFromWorld =
-    vtkShadowMatrix::ToGlm(frame.Renderer->GetActiveCamera()->GetModelViewTransformMatrix());
+  vtkCamera* camera = frame.Renderer->GetActiveCamera();
+  frame.ViewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
+  frame.ClipFromView = vtkShadowMatrix::ToGlm(
+    camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
   return frame;
 }
 

@@ -57,6 +57,30 @@ struct vtkShadowScene::Prop
   std::vector<Piece> Pieces;
 };
 
+// The bounds of the pieces of those props for which wants(prop) is true.
+template <typename Wants>
+std::vector<vtkshadows::BoxCorners> vtkShadowCornersOf(
+  const vtkShadowScene& scene, const Wants& wants)
+{
+  std::vector<vtkshadows::BoxCorners> corners;
+  for (const vtkShadowScene::Prop& prop : scene.GetProps())
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      if (wants(prop))
+      {
+        corners.push_back(piece.CornersWC);
+      }
+    }
+  }
+  return corners;
+}
+
+inline std::vector<vtkshadows::BoxCorners> vtkShadowReceiverCorners(const vtkShadowScene& scene)
+{
+  return vtkShadowCornersOf(scene, [](const vtkShadowScene::Prop& prop) { return prop.Receives; });
+}
+
 // One frame, as a technique is given it.
 struct vtkShadowFrame
 {
@@ -70,6 +94,7 @@ struct vtkShadowFrame
   int Origin[2] = { 0, 0 };                     // of the viewport in its framebuffer
   bool HasDelegate = false;                     // who may draw into a framebuffer of another size
   glm::dmat4 ViewFromWorld{ 1.0 };              // the eye's
+  glm::dmat4 ClipFromView{ 1.0 };               // the eye's, with the camera's own depth range
 };
 
 #endif

@@ -6,12 +6,9 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 using vtkshadows::CastingFaces;
 

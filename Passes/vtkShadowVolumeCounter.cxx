@@ -2,6 +2,7 @@
 
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowFullScreenVS.h"
+#include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowedShadingPass.h"
@@ -36,16 +37,6 @@ constexpr int MostInStencil = 255;
 // Steps between sample lights' shadows are smoothed if they are no higher than so many of one
 // light.
 constexpr float SmoothedSteps = 2.0f;
-
-std::array<float, 16> ToFloats(const glm::dmat4& m)
-{
-  std::array<float, 16> out;
-  for (int i = 0; i < 16; ++i)
-  {
-    out[i] = static_cast<float>(m[i / 4][i % 4]);
-  }
-  return out;
-}
 
 void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec4& v)
 {
@@ -159,19 +150,16 @@ bool vtkShadowVolumeCounter::Count(
     {
       this->Add(draw, Phase::Additions);
     }
-    const bool isWrong = this->HasOverflown();
-    for (const Draw& draw : draws)
+    if (!this->HasOverflown())
     {
-      if (!isWrong)
+      for (const Draw& draw : draws)
       {
         this->Add(draw, Phase::Subtractions);
       }
-    }
-    this->End();
-    if (!isWrong)
-    {
+      this->End();
       return true;
     }
+    this->End();
     ++this->NumberOfOverflows;
   }
   if (!this->Begin(frame, eye, start, way == Way::WrappingStencil ? way : Way::Float))
@@ -233,15 +221,32 @@ bool vtkShadowVolumeCounter::Begin(const vtkShadowFrame& frame, const Eye& eye, 
   {
     glEnable(GL_DEPTH_CLAMP);
   }
+  this->StartVolumes(frame, vtkStencilShadowVolumePassFS);
+  return true;
+}
 
+//------------------------------------------------------------------------------
+// Between these, SetCaster readies the volume of a caster to be drawn.
+void vtkShadowVolumeCounter::StartVolumes(const vtkShadowFrame& frame, const char* fragmentShader)
+{
   glGenVertexArrays(1, &this->Arrays);
   glBindVertexArray(this->Arrays);
   this->Program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkStencilShadowVolumePassVS, vtkStencilShadowVolumePassFS, "");
+    vtkStencilShadowVolumePassVS, fragmentShader, "");
   this->PointUnit = this->State->GetTextureUnitManager()->Allocate();
   this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->PointUnit));
   this->Program->SetUniformi("shadowPointsTC", this->PointUnit);
-  return true;
+}
+
+void vtkShadowVolumeCounter::EndVolumes()
+{
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glBindVertexArray(0);
+  glDeleteVertexArrays(1, &this->Arrays);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glDisable(GL_DEPTH_CLAMP);
+  this->State->GetTextureUnitManager()->Free(this->PointUnit);
+  this->PointUnit = -1;
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +339,7 @@ void vtkShadowVolumeCounter::SetCaster(const Draw& draw, const glm::dmat4& clipF
   const vtkShadowVolumeCaster& caster = *draw.Caster;
   const vtkShadowVolumeCaster::Volume& volume = *draw.Volume;
   const glm::dmat4 worldFromCaster = caster.GetWorldFromCaster();
-  std::array<float, 16> clipFromCaster = ToFloats(clipFromWorld * worldFromCaster);
+  std::array<float, 16> clipFromCaster = vtkShadowMatrix::ToFloats(clipFromWorld * worldFromCaster);
   this->Program->SetUniformMatrix4x4("shadowClipFromCaster", clipFromCaster.data());
   SetVector(this->Program, "shadowLightTC", volume.LightTC);
   // A plane is a row.
@@ -412,15 +417,9 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCounter::End()
 {
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  glBindVertexArray(0);
-  glDeleteVertexArrays(1, &this->Arrays);
-  glDisable(GL_DEPTH_CLAMP);
+  this->EndVolumes();
   glPolygonOffset(0.0f, 0.0f);
   glDisable(GL_POLYGON_OFFSET_FILL);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  this->State->GetTextureUnitManager()->Free(this->PointUnit);
-  this->PointUnit = -1;
   if (this->UsesStencil())
   {
     this->State->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -436,23 +435,14 @@ void vtkShadowVolumeCounter::Show(const vtkShadowFrame& frame, const glm::dmat4&
 {
   this->State = frame.Window->GetState();
   const OverlayState overlay(this->State);
-  const ScopedArrays arrays;
   glEnable(GL_DEPTH_CLAMP);
-  this->Program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkStencilShadowVolumePassVS, vtkStencilShadowVolumePassViewFS, "");
-  this->PointUnit = this->State->GetTextureUnitManager()->Allocate();
-  this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->PointUnit));
-  this->Program->SetUniformi("shadowPointsTC", this->PointUnit);
+  this->StartVolumes(frame, vtkStencilShadowVolumePassViewFS);
   for (const Draw& draw : draws)
   {
     this->SetCaster(draw, clipFromWorld);
     use(draw);
   }
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  glDisable(GL_DEPTH_CLAMP);
-  this->State->GetTextureUnitManager()->Free(this->PointUnit);
-  this->PointUnit = -1;
+  this->EndVolumes();
 }
 
 //------------------------------------------------------------------------------
@@ -634,17 +624,6 @@ void vtkShadowVolumeCounter::ResolveSum(
 void vtkShadowVolumeCounter::ReadCounts(const vtkShadowFrame& frame, std::vector<float>& counts)
 {
   counts.resize(static_cast<std::size_t>(frame.Size[0]) * frame.Size[1]);
-  if (this->UsesStencil())
-  {
-    vtkShadowDrawScope target(frame.Window, this->Depth, 0);
-    std::vector<unsigned char> stencil(counts.size());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(
-      0, 0, frame.Size[0], frame.Size[1], GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil.data());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    std::copy(stencil.begin(), stencil.end(), counts.begin());
-    return;
-  }
   vtkShadowDrawScope target(frame.Window, this->Depth, 0, &this->Counts, 0);
   glReadPixels(0, 0, frame.Size[0], frame.Size[1], GL_RED, GL_FLOAT, counts.data());
 }

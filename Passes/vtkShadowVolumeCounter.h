@@ -94,7 +94,7 @@ public:
     const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld, const std::vector<Draw>& draws);
   void ShowCounts(const vtkShadowFrame& frame);
 
-  // The last counts: width * height floats, row by row from the bottom. Stencils know none below 0.
+  // The last counts, in floats: width * height, row by row from the bottom.
   void ReadCounts(const vtkShadowFrame& frame, std::vector<float>& counts);
 
   // Since they were last set to 0: faces handed to OpenGL; lights that stencils could not count.
@@ -116,6 +116,8 @@ private:
   void End();
   void Add(const Draw& draw, Phase phase);
   bool HasOverflown();
+  void StartVolumes(const vtkShadowFrame& frame, const char* fragmentShader);
+  void EndVolumes();
   void DrawSection(
     const vtkShadowVolumeCaster::Section& section, int front, int back, bool behind, Phase phase);
   void SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld);

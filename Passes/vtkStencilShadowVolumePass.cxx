@@ -2,7 +2,6 @@
 
 #include "LightSamples.h"
 #include "ShadowReach.h"
-#include "vtkShadowMatrix.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowVolumeCaster.h"
 #include "vtkShadowVolumeCounter.h"
@@ -51,7 +50,6 @@ struct Counting
 
 struct Caster
 {
-  const vtkShadowScene::Prop* Prop = nullptr;
   const vtkShadowScene::Piece* Piece = nullptr;
   vtkShadowVolumeCaster* Geometry = nullptr;
   bool DrawnWhole = false;
@@ -85,18 +83,11 @@ public:
 //------------------------------------------------------------------------------
 void vtkStencilShadowVolumePass::Internals::GatherReceivers(const vtkShadowScene& scene)
 {
-  this->Receivers.clear();
+  this->Receivers = vtkShadowReceiverCorners(scene);
   this->ReceiverBox = {};
-  for (const vtkShadowScene::Prop& prop : scene.GetProps())
+  for (const vtkshadows::BoxCorners& corners : this->Receivers)
   {
-    for (const vtkShadowScene::Piece& piece : prop.Pieces)
-    {
-      if (prop.Receives)
-      {
-        this->Receivers.push_back(piece.CornersWC);
-        this->ReceiverBox.Add(piece.CornersWC);
-      }
-    }
+    this->ReceiverBox.Add(corners);
   }
 }
 
@@ -106,22 +97,13 @@ void vtkStencilShadowVolumePass::Internals::GatherReceivers(const vtkShadowScene
 vtkshadows::LightView vtkStencilShadowVolumePass::Internals::SetEye(
   const vtkShadowFrame& frame, bool infinite)
 {
-  vtkCamera* camera = frame.Renderer->GetActiveCamera();
   vtkshadows::LightView view;
-  view.parallel = camera->GetParallelProjection() != 0;
+  view.parallel = frame.Renderer->GetActiveCamera()->GetParallelProjection() != 0;
   view.viewFromWorld = frame.ViewFromWorld;
-  view.clipFromView = vtkShadowMatrix::ToGlm(
-    camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
-  std::vector<vtkshadows::BoxCorners> seen;
-  for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
-  {
-    for (const vtkShadowScene::Piece& piece : prop.Pieces)
-    {
-      seen.push_back(piece.CornersWC);
-    }
-  }
+  const std::vector<vtkshadows::BoxCorners> seen =
+    vtkShadowCornersOf(*frame.Scene, [](const vtkShadowScene::Prop&) { return true; });
   view.clipFromView = vtkshadows::WithDepthRange(
-    view.clipFromView, vtkshadows::SeenDepths(view.clipFromView, view.viewFromWorld, seen));
+    frame.ClipFromView, vtkshadows::SeenDepths(frame.ClipFromView, view.viewFromWorld, seen));
   const bool isInfinite = infinite && !view.parallel;
   if (isInfinite)
   {
@@ -225,7 +207,7 @@ void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
       skipped = caster.GetSkipped().empty() ? skipped : caster.GetSkipped();
       if (caster.GetFault().empty() && !caster.IsEmpty())
       {
-        my.Casters.push_back({ &prop, &piece, &caster, IsDrawnWhole(prop, piece) });
+        my.Casters.push_back({ &piece, &caster, IsDrawnWhole(prop, piece) });
       }
     }
     std::ostringstream message;
@@ -438,10 +420,7 @@ bool vtkStencilShadowVolumePass::DrawDebugView(
     return done;
   }
   // The frame has the camera's own depths.
-  const glm::dmat4 clipFromWorld =
-    vtkShadowMatrix::ToGlm(frame.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
-      frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
-    frame.ViewFromWorld;
+  const glm::dmat4 clipFromWorld = frame.ClipFromView * frame.ViewFromWorld;
   if (view == "volumes")
   {
     my.Counter.ShowVolumes(frame, clipFromWorld, counting.Draws);
