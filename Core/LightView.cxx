@@ -389,6 +389,11 @@ LightViewResult FitPositional(const ShadowLight& light, const std::vector<BoxCor
 
 }
 
+glm::dmat4 ViewAlong(const glm::dvec3& forward, const glm::dvec3& eyeWC)
+{
+  return Frame(forward).ViewFromWorld(eyeWC);
+}
+
 LightViewResult FitLightView(const ShadowLight& light, const std::vector<BoxCorners>& casters,
   const std::vector<BoxCorners>& receivers, double margin)
 {

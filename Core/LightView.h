@@ -24,6 +24,9 @@ struct LightView
   bool parallel = true;            // directional
 };
 
+// The rigid view from `eyeWC` along the unit vector `forward`, turned about it in a fixed way.
+glm::dmat4 ViewAlong(const glm::dvec3& forward, const glm::dvec3& eyeWC);
+
 enum class LightViewFit
 {
   Fitted, // `view` covers every caster that can shadow a receiver

@@ -44,16 +44,9 @@ constexpr int PaddingTexels = 16;
 
 constexpr double RiseTexels = 0.5;
 
-int TextureLimit()
-{
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  return limit;
-}
-
 int LayerWidth(int resolution)
 {
-  return std::min(resolution + PaddingTexels, TextureLimit());
+  return std::min(resolution + PaddingTexels, vtkShadowTextureArray::LargestSide());
 }
 
 // A matrix as GLSL takes it.
@@ -131,7 +124,6 @@ public:
   std::vector<BoxCorners> Receivers;  // of this frame, the same for every light
   vtkShadowHiddenFaces HiddenFaces;
   int UsedResolution = 0;
-  int RefusedResolution = 0;
 
   std::unordered_map<vtkProp*, unsigned int> CulledFaces(
     const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
@@ -185,30 +177,12 @@ void vtkDepthShadowMapPass::SetResolution(int resolution)
 }
 
 //------------------------------------------------------------------------------
-int vtkDepthShadowMapPass::ResolutionOfDriver() const
-{
-  const int limit = TextureLimit();
-  if (this->Resolution <= limit)
-  {
-    return this->Resolution;
-  }
-  if (this->Internal->RefusedResolution != this->Resolution)
-  {
-    this->Internal->RefusedResolution = this->Resolution;
-    vtkErrorMacro("Resolution " << this->Resolution << " is above this OpenGL driver's limit of "
-                                << limit << " texels, which is used instead. Set it to " << limit
-                                << " or less.");
-  }
-  return limit;
-}
-
-//------------------------------------------------------------------------------
 bool vtkDepthShadowMapPass::UpdateVisibility(
   const vtkShadowFrame& frame, const std::vector<int>& lights)
 {
   Internals& my = *this->Internal;
   const int slots = static_cast<int>(lights.size());
-  my.UsedResolution = this->ResolutionOfDriver();
+  my.UsedResolution = this->WithinDriver("Resolution", this->Resolution);
   if (my.Maps.Reserve(frame.Window, vtkShadowTextureArray::Format::Depth32F,
         LayerWidth(my.UsedResolution), my.UsedResolution, slots))
   {
@@ -303,19 +277,20 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
 //------------------------------------------------------------------------------
 std::string vtkDepthShadowMapPass::GetLookupDeclarations() const
 {
-  const int side = this->ResolutionOfDriver();
+  const int side = this->WithinDriver("Resolution", this->Resolution);
   return "#define SHADOW_DEPTH_MAP_WIDTH " + std::to_string(LayerWidth(side)) +
     "\n#define SHADOW_DEPTH_MAP_HEIGHT " + std::to_string(side) + "\n" +
     vtkDepthShadowMapPassLookup;
 }
 
-std::string vtkDepthShadowMapPass::GetLookupFunction(const vtkshadows::ShadowLight& light) const
+std::string vtkDepthShadowMapPass::GetLookupFunction(
+  const vtkshadows::ShadowLight& light, vtkProp*) const
 {
   return light.kind == LightKind::Directional ? "shadowDepthMapParallel"
                                               : "shadowDepthMapPerspective";
 }
 
-const float* vtkDepthShadowMapPass::GetLookupMatrix(int slot) const
+const float* vtkDepthShadowMapPass::GetLookupMatrix(int slot, vtkProp*) const
 {
   return this->Internal->Matrices[slot].data();
 }

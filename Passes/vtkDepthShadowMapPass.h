@@ -66,8 +66,8 @@ protected:
 
   bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   std::string GetLookupDeclarations() const override;
-  std::string GetLookupFunction(const vtkshadows::ShadowLight& light) const override;
-  const float* GetLookupMatrix(int slot) const override;
+  std::string GetLookupFunction(const vtkshadows::ShadowLight& light, vtkProp*) const override;
+  const float* GetLookupMatrix(int slot, vtkProp*) const override;
   const float* GetLitMatrix() const override;
   vtkShadowTextureArray* GetTextures() override;
   std::string GetSamplerName() const override { return "shadowDepthMaps"; }
@@ -79,7 +79,6 @@ private:
   vtkDepthShadowMapPass(const vtkDepthShadowMapPass&) = delete;
   void operator=(const vtkDepthShadowMapPass&) = delete;
 
-  int ResolutionOfDriver() const;
   void UpdateMap(const vtkShadowFrame& frame, int light, int slot);
 
   class Internals;

@@ -1,6 +1,7 @@
 #include "vtkShadowPass.h"
 
 #include "vtkDepthShadowMapPass.h"
+#include "vtkPlanarShadowPass.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowMeasured.h"
 #include "vtkShadowReceiverBuffer.h"
@@ -246,6 +247,7 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
     const LightSettings settings = this->SettingsOf(lights[i].Source);
     this->Scene->SetLightRadius(i, settings.Radius);
     vtkShadowedShadingPass::LightPlan entry;
+    entry.Light = &lights[i].Ray;
     entry.Strength = static_cast<float>(withStrength ? settings.Strength : 1.0);
     if (anyCaster && anyReceiver && !lights[i].AtEye && entry.Strength > 0.0f)
     {
@@ -254,7 +256,6 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
     if (entry.Technique)
     {
       entry.Slot = entry.Technique->NumberOfSlots++;
-      entry.LookupFunction = entry.Technique->GetLookupFunction(lights[i].Ray);
     }
     plan.push_back(entry);
   }
@@ -342,6 +343,7 @@ vtkShadowPass::vtkShadowPass()
   : Internal(new Internals)
 {
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkDepthShadowMapPass::New()));
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkPlanarShadowPass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkStencilShadowVolumePass::New()));
 #ifdef VTKSHADOWS_WITH_EMBREE
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkRayCastShadowPass::New()));
@@ -567,6 +569,12 @@ vtkShadowTechniquePass* vtkShadowPass::GetTechniquePass(const std::string& name)
 vtkDepthShadowMapPass* vtkShadowPass::GetDepthShadowMapPass()
 {
   return vtkDepthShadowMapPass::SafeDownCast(this->Internal->Find("depth-map"));
+}
+
+//------------------------------------------------------------------------------
+vtkPlanarShadowPass* vtkShadowPass::GetPlanarShadowPass()
+{
+  return vtkPlanarShadowPass::SafeDownCast(this->Internal->Find("planar"));
 }
 
 //------------------------------------------------------------------------------

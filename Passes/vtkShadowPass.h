@@ -38,7 +38,8 @@
  * Crow, F.: Shadow algorithms for computer graphics, SIGGRAPH 1977 (shadow volumes);
  * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
  *
- * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkStencilShadowVolumePass vtkRayCastShadowPass
+ * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkPlanarShadowPass
+ *     vtkStencilShadowVolumePass vtkRayCastShadowPass
  * vtkShadowErrorMeasure
  */
 #ifndef vtkShadowPass_h
@@ -59,6 +60,7 @@ class vtkRayCastShadowPass;
 class vtkRenderer;
 class vtkShadowScene;
 class vtkShadowTechniquePass;
+class vtkPlanarShadowPass;
 class vtkStencilShadowVolumePass;
 struct vtkShadowFrame;
 class vtkStringArray;
@@ -125,6 +127,7 @@ public:
    * The techniques' own settings. GetRayCastShadowPass is nullptr in a build without Embree.
    */
   vtkDepthShadowMapPass* GetDepthShadowMapPass();
+  vtkPlanarShadowPass* GetPlanarShadowPass();
   vtkStencilShadowVolumePass* GetStencilShadowVolumePass();
   vtkRayCastShadowPass* GetRayCastShadowPass();
   vtkShadowTechniquePass* GetTechniquePass(const std::string& name);

@@ -1,6 +1,7 @@
 #include "vtkShadowTechniquePass.h"
 
 #include "vtkShadowPass.h"
+#include "vtkShadowTextureArray.h"
 
 #include <algorithm>
 
@@ -59,6 +60,23 @@ void vtkShadowTechniquePass::WarnOnce(const void* subject, const std::string& me
     known->second = message;
   }
   vtkWarningMacro(<< message);
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowTechniquePass::WithinDriver(const char* setting, int side) const
+{
+  const int limit = vtkShadowTextureArray::LargestSide();
+  if (side <= limit)
+  {
+    return side;
+  }
+  if (this->RefusedSide != side)
+  {
+    this->RefusedSide = side;
+    vtkErrorMacro(<< setting << " " << side << " is above this OpenGL driver's limit of " << limit
+                  << " texels, which is used instead. Set it to " << limit << " or less.");
+  }
+  return limit;
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@
 #include <string> // for std::string
 #include <vector> // for std::vector
 
+class vtkProp;
 class vtkShaderProgram;
 class vtkShadowPass;
 class vtkShadowTextureArray;
@@ -85,16 +86,34 @@ protected:
   ///@{
   /**
    * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int slot, vec4 position)`; the name of
-   * f for a light; and the matrix, column-major, that takes a receiver's position from the eye's
-   * view coordinates to the space that f wants it in, which vtkShadowedShadingPass applies. f takes
-   * the receiver's plane from screen derivatives; an impostor, beside whose rim there are none,
-   * calls `f(slot, position, along1, along2)` with two directions on its plane, by the same matrix.
-   * Every name in it begins with "shadow".
+   * f for a light and what a prop shows; and the matrix, column-major, that takes a receiver's
+   * position from the eye's view coordinates to the space that f wants it in, which
+   * vtkShadowedShadingPass applies. f takes the receiver's plane from screen derivatives; an
+   * impostor, beside whose rim there are none, calls `f(slot, position, along1, along2)` with two
+   * directions on its plane, by the same matrix. Every name in it begins with "shadow".
    */
   virtual std::string GetLookupDeclarations() const { return {}; }
-  virtual std::string GetLookupFunction(const vtkshadows::ShadowLight&) const { return {}; }
-  virtual const float* GetLookupMatrix(int) const { return nullptr; }
+  virtual std::string GetLookupFunction(const vtkshadows::ShadowLight&, vtkProp*) const
+  {
+    return {};
+  }
+  virtual const float* GetLookupMatrix(int, vtkProp*) const { return nullptr; }
   ///@}
+
+  ///@{
+  /**
+   * Whether it tells the visibility of what a prop (a leaf, or a top) shows; else the prop is lit,
+   * and its shader has no code for that. What may change from frame to frame has a stamp, that
+   * grows with it. Asked once UpdateVisibility has succeeded.
+   */
+  virtual bool HasVisibilityOf(vtkProp*) const { return true; }
+  virtual vtkMTimeType GetReceiverStamp() const { return 0; }
+  ///@}
+
+  /**
+   * LOOKUP: set further uniforms of the declarations, for what this prop shows.
+   */
+  virtual void SetLookupParameters(vtkShaderProgram*, vtkProp*) {}
 
   /**
    * Draw a view that explains the visibility of the light in `slot` over the frame, in the bound
@@ -113,6 +132,12 @@ protected:
    */
   void WarnOnce(const void* subject, const std::string& message);
 
+  /**
+   * `side` texels, or what this driver's textures have at most: then there is one error that names
+   * `setting`, the value and the limit.
+   */
+  int WithinDriver(const char* setting, int side) const;
+
   int GetNumberOfSlots() const { return this->NumberOfSlots; }
 
 private:
@@ -121,7 +146,8 @@ private:
 
   vtkSmartPointer<vtkShadowPass> Standalone;
   std::vector<std::pair<const void*, std::string>> Warned;
-  int NumberOfSlots = 0; // lights of the coming frame, set ahead of its shaders
+  mutable int RefusedSide = 0; // of a texture, as it was last told
+  int NumberOfSlots = 0;       // lights of the coming frame, set ahead of its shaders
 };
 
 #endif

@@ -107,6 +107,52 @@ void vtkShadowTextureArray::Upload(int layer, const unsigned char* texels)
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowTextureArray::Download(int layer, std::vector<unsigned char>& texels) const
+{
+  if (!this->Texture || !this->Window)
+  {
+    return false;
+  }
+  this->Window->MakeCurrent();
+  vtkOpenGLState* state = this->Window->GetState();
+  texels.resize(static_cast<std::size_t>(this->Size[0]) * this->Size[1]);
+  state->PushFramebufferBindings();
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Texture, 0, layer);
+  state->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+  const bool isComplete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (isComplete)
+  {
+    GLint alignment = 4;
+    glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RED, GL_UNSIGNED_BYTE, texels.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, alignment);
+  }
+  state->PopFramebufferBindings();
+  glDeleteFramebuffers(1, &framebuffer);
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowTextureArray::LargestSide()
+{
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  return limit;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Smooth()
+{
+  const ScopedBinding bound(this->Texture);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTextureArray::Activate()
 {
   if (!this->Texture || this->TextureUnit >= 0)

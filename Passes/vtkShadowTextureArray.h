@@ -5,6 +5,8 @@
 
 #include "vtkWeakPointer.h"
 
+#include <vector>
+
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -29,8 +31,16 @@ public:
   // Keeps what it has if that has the same texels and enough layers. Id() is 0 if memory ran out.
   bool Reserve(vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers);
 
-  // R8 only: width*height bytes, row by row from the bottom.
+  // Texels on a side that this driver's textures have at most. A context must be current.
+  static int LargestSide();
+
+  // R8 only: width*height bytes, row by row from the bottom. Download is false if the driver
+  // cannot.
   void Upload(int layer, const unsigned char* texels);
+  bool Download(int layer, std::vector<unsigned char>& texels) const;
+
+  // Blend neighbouring texels when it is sampled.
+  void Smooth();
 
   // Bind to a texture unit of the window's own, and give the unit back.
   void Activate();

@@ -1,5 +1,6 @@
 #include "vtkShadowedShadingPass.h"
 
+#include "ShadowLight.h"
 #include "vtkShadowCasterCamera.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
@@ -14,14 +15,17 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkProp3D.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 vtkStandardNewMacro(vtkShadowedShadingPass);
@@ -50,6 +54,12 @@ std::string ColorUniform(std::size_t light)
 std::string StrengthUniform(std::size_t light)
 {
   return "shadowStrength" + std::to_string(light);
+}
+
+// 1 where a prop takes shadows from the masks of this sampler.
+std::string ReceivesUniform(const std::string& sampler)
+{
+  return sampler + "Receives";
 }
 
 std::string Visibility(std::size_t light)
@@ -130,7 +140,7 @@ void vtkShadowedShadingPass::SetPlan(const std::vector<LightPlan>& plan)
   {
     const LightPlan& light = plan[i];
     shape << (light.Technique ? light.Technique->GetTechniqueName() : "-") << light.Slot
-          << light.LookupFunction << (light.Strength < 1.0f) << ' ';
+          << static_cast<int>(light.Light->kind) << (light.Strength < 1.0f) << ' ';
     if (!light.Technique)
     {
       continue;
@@ -180,6 +190,8 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
       this->AttachTo(piece.Prop, prop.Receives);
+      this->Users.emplace(
+        static_cast<vtkAbstractMapper*>(piece.Mapper), static_cast<vtkProp*>(piece.Prop));
     }
   }
 }
@@ -204,10 +216,33 @@ void vtkShadowedShadingPass::AttachTo(vtkProp* prop, bool receives)
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::ActivateTextures()
 {
+  std::vector<vtkMTimeType> stamps;
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     technique->GetTextures()->Activate();
+    stamps.push_back(technique->GetReceiverStamp());
   }
+  if (stamps != this->ReceiverStamps)
+  {
+    this->ReceiverStamps = stamps;
+    this->ShaderStage.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether the shader of a mapper needs code for a light: it draws all props that share it by one.
+bool vtkShadowedShadingPass::Tells(
+  std::size_t light, vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  const vtkShadowTechniquePass* technique = this->Plan[light].Technique;
+  if (!technique)
+  {
+    return false;
+  }
+  const auto users = this->Users.equal_range(mapper);
+  return technique->HasVisibilityOf(prop) ||
+    std::any_of(users.first, users.second,
+      [technique](const auto& user) { return technique->HasVisibilityOf(user.second); });
 }
 
 //------------------------------------------------------------------------------
@@ -228,15 +263,17 @@ void vtkShadowedShadingPass::Detach()
   }
   this->Attached.clear();
   this->Receives.clear();
+  this->Users.clear();
   this->State = nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
   const std::vector<std::size_t>& props, const vtkshadows::LightView& view,
-  const std::unordered_map<vtkProp*, unsigned int>& culled)
+  const std::unordered_map<vtkProp*, unsigned int>& culled, bool writesDepth)
 {
   this->Culled = culled;
+  this->CastersWriteDepth = writesDepth;
   vtkRenderer* renderer = frame.Renderer;
   const vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
@@ -268,25 +305,27 @@ void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowedShadingPass::DrawReceivers(const vtkShadowFrame& frame, Stage stage)
+void vtkShadowedShadingPass::DrawReceivers(
+  const vtkShadowFrame& frame, Stage stage, const std::vector<std::size_t>* props)
 {
   this->SetStage(stage);
-  for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
+  const std::vector<vtkShadowScene::Prop>& all = frame.Scene->GetProps();
+  for (std::size_t i = 0; i < (props ? props->size() : all.size()); ++i)
   {
-    prop.Source->RenderOpaqueGeometry(frame.Renderer);
+    all[props ? (*props)[i] : i].Source->RenderOpaqueGeometry(frame.Renderer);
   }
   this->SetStage(SHADE);
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowedShadingPass::DrawDepths(
-  const vtkShadowFrame& frame, const vtkshadows::LightView& view)
+void vtkShadowedShadingPass::DrawDepths(const vtkShadowFrame& frame,
+  const vtkshadows::LightView& view, const std::vector<std::size_t>* props)
 {
   const vtkSmartPointer<vtkCamera> eye = frame.Renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
   this->CasterCamera->SetParallelProjection(eye->GetParallelProjection());
   frame.Renderer->SetActiveCamera(this->CasterCamera);
-  this->DrawReceivers(frame, DEPTHS);
+  this->DrawReceivers(frame, DEPTHS, props);
   frame.Renderer->SetActiveCamera(eye);
 }
 
@@ -302,7 +341,9 @@ std::string vtkShadowedShadingPass::Declarations() const
   {
     if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
     {
-      code << "uniform sampler2DArray " << technique->GetSamplerName() << ";\n";
+      const std::string sampler = technique->GetSamplerName();
+      code << "uniform sampler2DArray " << sampler << ";\nuniform float "
+           << ReceivesUniform(sampler) << ";\n";
     }
     code << technique->GetLookupDeclarations();
   }
@@ -330,11 +371,15 @@ std::string vtkShadowedShadingPass::Declarations() const
 //------------------------------------------------------------------------------
 // A light's space goes through the rasteriser rather than being transformed to for each fragment: a
 // software rasteriser reads the 16 uniforms of a matrix for every few pixels.
-void vtkShadowedShadingPass::PlacePositions(
-  std::string& vertexShader, std::string& fragmentShader, bool isPlain) const
+void vtkShadowedShadingPass::PlacePositions(std::string& vertexShader, std::string& fragmentShader,
+  bool isPlain, vtkAbstractMapper* mapper, vtkProp* prop) const
 {
-  const std::vector<std::size_t> lookups =
-    this->CurrentStage == POSITIONS ? std::vector<std::size_t>() : this->Lookups;
+  std::vector<std::size_t> lookups;
+  if (this->CurrentStage != POSITIONS)
+  {
+    std::copy_if(this->Lookups.begin(), this->Lookups.end(), std::back_inserter(lookups),
+      [&](std::size_t light) { return this->Tells(light, mapper, prop); });
+  }
 
   std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
   for (std::size_t n = 0; n < lookups.size(); ++n)
@@ -359,8 +404,8 @@ void vtkShadowedShadingPass::PlacePositions(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkShadowedShadingPass::LightCode(
-  const std::string& fragmentShader, bool isImpostor) const
+std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader, bool isImpostor,
+  vtkAbstractMapper* mapper, vtkProp* prop) const
 {
   std::ostringstream code;
   if (isImpostor)
@@ -373,7 +418,7 @@ std::string vtkShadowedShadingPass::LightCode(
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
     const LightPlan& light = this->Plan[i];
-    if (!light.Technique || !Declares(fragmentShader, ColorUniform(i)))
+    if (!this->Tells(i, mapper, prop) || !Declares(fragmentShader, ColorUniform(i)))
     {
       continue;
     }
@@ -381,12 +426,14 @@ std::string vtkShadowedShadingPass::LightCode(
     code << "  float " << Visibility(i) << " = ";
     if (isMask)
     {
-      code << "shadowMaskVisibility(" << light.Technique->GetSamplerName() << ", " << light.Slot
-           << ");\n";
+      const std::string sampler = light.Technique->GetSamplerName();
+      code << "shadowMaskVisibility(" << sampler << ", " << light.Slot << ", "
+           << ReceivesUniform(sampler) << ");\n";
     }
     else
     {
-      code << light.LookupFunction << "(" << light.Slot << ", " << PositionVarying(i);
+      code << light.Technique->GetLookupFunction(*light.Light, prop) << "(" << light.Slot << ", "
+           << PositionVarying(i);
       if (isImpostor)
       {
         code << ", " << MatrixUniform(i) << " * vec4(shadowAlong1, 0.0), " << MatrixUniform(i)
@@ -403,8 +450,8 @@ std::string vtkShadowedShadingPass::LightCode(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkShadowedShadingPass::OutputCode(
-  const std::string& fragmentShader, bool isImpostor) const
+std::string vtkShadowedShadingPass::OutputCode(const std::string& fragmentShader, bool isImpostor,
+  vtkAbstractMapper* mapper, vtkProp* prop) const
 {
   if (this->CurrentStage == POSITIONS)
   {
@@ -414,7 +461,7 @@ std::string vtkShadowedShadingPass::OutputCode(
   if (this->CurrentStage == VISIBILITY)
   {
     const std::size_t shown = static_cast<std::size_t>(this->ShownLight);
-    const bool hasLight = shown < this->Plan.size() && this->Plan[shown].Technique &&
+    const bool hasLight = shown < this->Plan.size() && this->Tells(shown, mapper, prop) &&
       Declares(fragmentShader, ColorUniform(shown));
     return "  gl_FragData[0] = vec4(" + (hasLight ? Visibility(shown) : "1.0") + ");\n";
   }
@@ -471,7 +518,8 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
 
 //------------------------------------------------------------------------------
 bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
 {
   if (this->DrawsDepthAlone())
   {
@@ -489,10 +537,11 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   const Surface surface = SurfaceOf(vertexShader, geometryShader, fragmentShader);
   const bool isImpostor = surface == Surface::Impostor;
   vtkShaderProgram::Substitute(fragmentShader, LightMark,
-    this->CurrentStage == POSITIONS ? std::string() : this->LightCode(fragmentShader, isImpostor));
+    this->CurrentStage == POSITIONS ? std::string()
+                                    : this->LightCode(fragmentShader, isImpostor, mapper, prop));
   vtkShaderProgram::Substitute(
-    fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor));
-  this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices);
+    fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor, mapper, prop));
+  this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices, mapper, prop);
   return true;
 }
 
@@ -533,7 +582,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     {
       this->State->vtkglDisable(GL_CULL_FACE);
     }
-    this->State->vtkglDepthMask(GL_TRUE);
+    this->State->vtkglDepthMask(this->CastersWriteDepth ? GL_TRUE : GL_FALSE);
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;
   }
@@ -554,10 +603,11 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   for (const std::size_t i : this->Lookups)
   {
     const LightPlan& light = this->Plan[i];
+    const bool isTold = receives && light.Technique->HasVisibilityOf(prop);
     float matrix[16];
     std::copy_n(
-      receives ? light.Technique->GetLookupMatrix(light.Slot) : light.Technique->GetLitMatrix(), 16,
-      matrix);
+      isTold ? light.Technique->GetLookupMatrix(light.Slot, prop) : light.Technique->GetLitMatrix(),
+      16, matrix);
     program->SetUniformMatrix4x4(MatrixUniform(i).c_str(), matrix);
   }
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
@@ -570,6 +620,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     program->SetUniformi(technique->GetSamplerName().c_str(), technique->GetTextures()->Unit());
+    technique->SetLookupParameters(program, prop);
   }
   if (this->HasMasks)
   {
@@ -599,7 +650,15 @@ void vtkShadowedShadingPass::SetMaskParameters(
   // A mask knows the opaque receivers only.
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool isTranslucent = actor && actor->IsRenderingTranslucentPolygonalGeometry();
-  program->SetUniformf("shadowReceivesMask", receives && !isTranslucent ? 1.0f : 0.0f);
+  for (vtkShadowTechniquePass* technique : this->Techniques)
+  {
+    if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
+    {
+      const bool isTold = receives && !isTranslucent && technique->HasVisibilityOf(prop);
+      program->SetUniformf(
+        ReceivesUniform(technique->GetSamplerName()).c_str(), isTold ? 1.0f : 0.0f);
+    }
+  }
   if (this->MaskIsPixels)
   {
     return;

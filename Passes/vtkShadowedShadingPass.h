@@ -37,6 +37,7 @@ struct vtkShadowFrame;
 namespace vtkshadows
 {
 struct LightView;
+struct ShadowLight;
 }
 
 class VTKSHADOWSPASSES_EXPORT vtkShadowedShadingPass : public vtkOpenGLRenderPass
@@ -68,7 +69,7 @@ public:
     vtkShadowTechniquePass* Technique = nullptr;
     int Slot = 0;
     float Strength = 1.0f;
-    std::string LookupFunction;
+    const vtkshadows::ShadowLight* Light = nullptr;
   };
   void SetPlan(const std::vector<LightPlan>& plan);
 
@@ -82,12 +83,17 @@ public:
 
   // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's,
   // into the bound framebuffer. Camera and stage are as before afterwards. `culled`: the faces,
-  // GL_FRONT or GL_BACK, that need not be drawn of a part.
+  // GL_FRONT or GL_BACK, that need not be drawn of a part. Of casters the depth is written, or
+  // their colour, white, alone.
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
-    const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled);
-  void DrawReceivers(const vtkShadowFrame& frame, Stage stage);
-  // The depth of what is opaque, by the eye's view with a depth range of its own.
-  void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView& view);
+    const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled,
+    bool writesDepth = true);
+  void DrawReceivers(
+    const vtkShadowFrame& frame, Stage stage, const std::vector<std::size_t>* props = nullptr);
+  // The depth of what is opaque, of all props or of some, by the eye's view with a depth range of
+  // its own.
+  void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView& view,
+    const std::vector<std::size_t>* props = nullptr);
 
   // The light that VISIBILITY shows.
   void SetShownLight(int light)
@@ -113,10 +119,14 @@ private:
   void operator=(const vtkShadowedShadingPass&) = delete;
 
   std::string Declarations() const;
-  std::string LightCode(const std::string& fragmentShader, bool isImpostor) const;
-  std::string OutputCode(const std::string& fragmentShader, bool isImpostor) const;
+  bool Tells(std::size_t light, vtkAbstractMapper* mapper, vtkProp* prop) const;
+  std::string LightCode(const std::string& fragmentShader, bool isImpostor,
+    vtkAbstractMapper* mapper, vtkProp* prop) const;
+  std::string OutputCode(const std::string& fragmentShader, bool isImpostor,
+    vtkAbstractMapper* mapper, vtkProp* prop) const;
   std::string NoReceiver() const;
-  void PlacePositions(std::string& vertexShader, std::string& fragmentShader, bool isPlain) const;
+  void PlacePositions(std::string& vertexShader, std::string& fragmentShader, bool isPlain,
+    vtkAbstractMapper* mapper, vtkProp* prop) const;
   void SetMaskParameters(vtkShaderProgram* program, vtkProp* prop, bool receives);
   void AttachTo(vtkProp* prop, bool receives);
   void SetStage(Stage stage);
@@ -130,7 +140,8 @@ private:
   std::vector<vtkShadowTechniquePass*> Techniques; // of the plan, each once
   std::vector<std::size_t> Lookups;                // lights of the plan
   bool HasMasks = false;
-  std::string PlanShape; // what of the plan the shader's text depends on
+  std::string PlanShape;                    // what of the plan the shader's text depends on
+  std::vector<vtkMTimeType> ReceiverStamps; // the same, of the techniques
   vtkTimeStamp ShaderStage;
   Stage CurrentStage = SHADE;
   int ShownLight = 0;
@@ -138,8 +149,10 @@ private:
 
   vtkOpenGLState* State = nullptr; // while attached
   std::unordered_map<vtkInformation*, vtkSmartPointer<vtkInformation>> Attached;
-  std::unordered_map<vtkProp*, bool> Receives;       // leaves and tops
-  std::unordered_map<vtkProp*, unsigned int> Culled; // while casters are drawn
+  std::unordered_map<vtkProp*, bool> Receives;                 // leaves and tops
+  std::unordered_multimap<vtkAbstractMapper*, vtkProp*> Users; // leaves that a mapper draws
+  std::unordered_map<vtkProp*, unsigned int> Culled;           // while casters are drawn
+  bool CastersWriteDepth = true;                               // the same
   float MaskSize[2] = { 0.0f, 0.0f };
   bool MaskIsPixels = true;
   int ParallelEye = 0;

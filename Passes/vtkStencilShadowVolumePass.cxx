@@ -2,12 +2,12 @@
 
 #include "LightSamples.h"
 #include "ShadowReach.h"
+#include "vtkShadowEye.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowVolumeCaster.h"
 #include "vtkShadowVolumeCounter.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -92,18 +92,11 @@ void vtkStencilShadowVolumePass::Internals::GatherReceivers(const vtkShadowScene
 }
 
 //------------------------------------------------------------------------------
-// The eye's own projection, but for the depths: as tight as what is seen, whatever the camera's
-// clipping range, since the steps of the depth buffer are what volumes are held against.
 vtkshadows::LightView vtkStencilShadowVolumePass::Internals::SetEye(
   const vtkShadowFrame& frame, bool infinite)
 {
-  vtkshadows::LightView view;
-  view.parallel = frame.Renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  view.viewFromWorld = frame.ViewFromWorld;
-  const std::vector<vtkshadows::BoxCorners> seen =
-    vtkShadowCornersOf(*frame.Scene, [](const vtkShadowScene::Prop&) { return true; });
-  view.clipFromView = vtkshadows::WithDepthRange(
-    frame.ClipFromView, vtkshadows::SeenDepths(frame.ClipFromView, view.viewFromWorld, seen));
+  vtkshadows::LightView view = vtkShadowEyeOf(
+    frame, vtkShadowCornersOf(*frame.Scene, [](const vtkShadowScene::Prop&) { return true; }));
   const bool isInfinite = infinite && !view.parallel;
   if (isInfinite)
   {

@@ -7,6 +7,7 @@
 #include <vtkCamera.h>
 #include <vtkDepthShadowMapPass.h>
 #include <vtkLight.h>
+#include <vtkPlanarShadowPass.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -101,6 +102,7 @@ void Stage::SetLightSamples(std::optional<int> samples)
   {
     return;
   }
+  this->shadows->GetPlanarShadowPass()->SetLightSamples(*samples);
   this->shadows->GetStencilShadowVolumePass()->SetLightSamples(*samples);
   if (vtkRayCastShadowPass* rayCast = this->shadows->GetRayCastShadowPass())
   {

@@ -16,11 +16,18 @@ float shadowNormalCode(vec3 n)
   return code.y * 4096.0 + code.x + 1.0;
 }
 
+// Of length 1 to 2, so that squares neither overflow nor vanish, however large or small the scene.
+vec3 shadowOfNoScale(vec3 v)
+{
+  float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  return largest > 0.0 ? v / largest : vec3(0.0);
+}
+
 // A receiver with the normal of an impostor, of any length.
 vec4 shadowReceiver(vec3 positionVC, vec3 normalVC)
 {
-  float length2 = dot(normalVC, normalVC);
-  vec3 n = length2 > 0.0 ? normalVC * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
+  vec3 scaled = shadowOfNoScale(normalVC);
+  vec3 n = scaled != vec3(0.0) ? normalize(scaled) : vec3(0.0, 0.0, 1.0);
   vec3 toEye = shadowParallelEye != 0 ? vec3(0.0, 0.0, 1.0) : -positionVC;
   return vec4(positionVC, shadowIsReceiver * shadowNormalCode(dot(n, toEye) < 0.0 ? -n : n));
 }
@@ -28,5 +35,5 @@ vec4 shadowReceiver(vec3 positionVC, vec3 normalVC)
 // A receiver with its face's normal, from the position's screen derivatives.
 vec4 shadowReceiver(vec3 positionVC)
 {
-  return shadowReceiver(positionVC, cross(dFdx(positionVC), dFdy(positionVC)));
+  return shadowReceiver(positionVC, cross(shadowOfNoScale(dFdx(positionVC)), shadowOfNoScale(dFdy(positionVC))));
 }

@@ -45,6 +45,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from .vtkShadowsFilters import vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
 from .vtkShadowsPasses import (
+    vtkPlanarShadowPass,
     vtkShadowErrorMeasure,
     vtkShadowPass,
     vtkStencilShadowVolumePass,
@@ -60,6 +61,7 @@ __all__ = [
     "techniques",
     "visibility",
     "volume_counts",
+    "vtkPlanarShadowPass",
     "vtkShadowErrorMeasure",
     "vtkShadowPass",
     "vtkShadowSilhouetteFilter",
@@ -72,7 +74,7 @@ def techniques() -> List[str]:
     """Names of the techniques there are in this build, "none" included.
 
     >>> vtkshadows.techniques()
-    ['depth-map', 'stencil-volume', 'ray-cast', 'none']
+    ['depth-map', 'planar', 'stencil-volume', 'ray-cast', 'none']
     """
     return _names_from(vtkShadowPass.GetTechniqueNames)
 
@@ -95,18 +97,25 @@ def enable(
         of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
         size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
     resolution : depth-map: texels on the longer side of each map, 1 or more (2048).
-    light_samples : stencil-volume and ray-cast, both: sample lights for a light with a radius, 1 to 4096
-        (32 for stencil-volume, 64 for ray-cast).
+    light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
+        4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
     variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
         "z-pass-capped" or "parity"; see vtkStencilShadowVolumePass::VariantType. The last three are
         for comparison: they are wrong in some views.
     counter : stencil-volume: what they are counted in: "automatic" (default), "wrapping-stencil" (wrong
         from 128 volumes, one in another) or "float".
     smoothing : stencil-volume: make ramps of the steps between sample lights (True).
+    planes : planar: planes that receive, beside those that it finds: a list of (nx, ny, nz, offset), world
+        coordinates, what lies on the plane has n.x = offset (none).
+    plane_textures : planar: keep each light's shadow on each plane as a texture fixed in the world: cheap
+        while only the camera moves, edges as coarse as its texels (False).
+    texture_resolution : planar: texels on the longer side of such a texture, 1 or more (2048).
+    soft_method : planar: how a light with a radius is made soft: "sample-lights" (default) or
+        "offset-planes"; see vtkPlanarShadowPass::SoftMethodType.
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
-    radius : 0 or more (0): size of every light that the renderer has now. stencil-volume and ray-cast
-        soften by it. World units; for a directional light the tangent of its half-angle.
+    radius : 0 or more (0): size of every light that the renderer has now. planar, stencil-volume and
+        ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
     debug_view : "none" (default), "volumes", "silhouette" or "counts": drawn over the frame, it explains
         the first light that casts, whose technique must be stencil-volume; another light by
         `shadows.SetDebugLight(light)`. Colours: see vtkShadowPass::SetDebugView.
@@ -343,6 +352,7 @@ def _set_resolution(shadows, renderer, value):
 
 
 def _set_light_samples(shadows, renderer, value):
+    shadows.GetPlanarShadowPass().SetLightSamples(value)
     shadows.GetStencilShadowVolumePass().SetLightSamples(value)
     if shadows.GetRayCastShadowPass() is not None:
         shadows.GetRayCastShadowPass().SetLightSamples(value)
@@ -378,6 +388,42 @@ def _set_counter(shadows, renderer, value):
 
 def _set_smoothing(shadows, renderer, value):
     shadows.GetStencilShadowVolumePass().SetSmoothing(value)
+
+
+_SOFT_METHODS = {
+    "sample-lights": vtkPlanarShadowPass.SAMPLE_LIGHTS,
+    "offset-planes": vtkPlanarShadowPass.OFFSET_PLANES,
+}
+
+
+def _set_soft_method(shadows, renderer, value):
+    shadows.GetPlanarShadowPass().SetSoftMethod(_SOFT_METHODS[value])
+
+
+def _set_plane_textures(shadows, renderer, value):
+    shadows.GetPlanarShadowPass().SetPlaneTextures(value)
+
+
+def _set_texture_resolution(shadows, renderer, value):
+    shadows.GetPlanarShadowPass().SetTextureResolution(value)
+
+
+def _planes(name, value):
+    try:
+        planes = numpy.array(list(value), dtype=float).reshape(-1, 4)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: {value!r} is not a list of (nx, ny, nz, offset)") from None
+    for plane in planes:
+        if not numpy.isfinite(plane).all() or not plane[:3].any():
+            raise ValueError(f"{name}: {tuple(plane)} has no normal; give (nx, ny, nz, offset), finite")
+    return planes
+
+
+def _set_planes(shadows, renderer, value):
+    planar = shadows.GetPlanarShadowPass()
+    planar.RemoveAllPlanes()
+    for plane in value:
+        planar.AddPlane(*plane)
 
 
 def _flag(name, value):
@@ -417,6 +463,12 @@ _SETTINGS = {
     "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),
     "counter": _Setting(lambda n, v: _one_of(n, v, _COUNTERS), _set_counter),
     "smoothing": _Setting(_flag, _set_smoothing),
+    "planes": _Setting(_planes, _set_planes),
+    "plane_textures": _Setting(_flag, _set_plane_textures),
+    "texture_resolution": _Setting(
+        lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_texture_resolution
+    ),
+    "soft_method": _Setting(lambda n, v: _one_of(n, v, _SOFT_METHODS), _set_soft_method),
     "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
     "radius": _Setting(lambda n, v: _number(n, v, 0), _set_radius),
@@ -528,6 +580,7 @@ class _VtkErrors:
         parts = (
             shadows,
             shadows.GetDepthShadowMapPass(),
+            shadows.GetPlanarShadowPass(),
             shadows.GetStencilShadowVolumePass(),
             shadows.GetRayCastShadowPass(),
             shadows.GetScene(),

@@ -1,0 +1,223 @@
+#include "vtkPlanarShadowCanvas.h"
+
+#include "vtkPlanarShadowPassMarkFS.h"
+#include "vtkPlanarShadowPassSumFS.h"
+#include "vtkShadowDrawScope.h"
+#include "vtkShadowFullScreenVS.h"
+#include "vtkShadowOpenGL.h"
+#include "vtkShadowSceneData.h"
+#include "vtkShadowedShadingPass.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+// The stencil: 255 off the plane; on it how many shadows have been thrown when this pixel was
+// last darkened, so that whatever covers it again changes nothing.
+constexpr int OffPlane = 255;
+
+// Depths of a receiver and of its plane differ by the rounding of two ways to them, in steps of the
+// depth buffer.
+constexpr double DepthSteps = 64.0;
+
+void DrawFullScreen()
+{
+  GLuint arrays = 0;
+  glGenVertexArrays(1, &arrays);
+  glBindVertexArray(arrays);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glDeleteVertexArrays(1, &arrays);
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec3& v)
+{
+  const float values[3] = { static_cast<float>(v.x), static_cast<float>(v.y),
+    static_cast<float>(v.z) };
+  program->SetUniform3f(name, values);
+}
+
+vtkShaderProgram* Ready(const vtkShadowFrame& frame, const char* fragmentShader)
+{
+  return frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowFullScreenVS, fragmentShader, "");
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool vtkPlanarShadowCanvas::Reserve(const vtkShadowFrame& frame, int width, int height, bool sums)
+{
+  using Format = vtkShadowTextureArray::Format;
+  this->Marks.Reserve(frame.Window, Format::Depth24Stencil8, width, height, 1);
+  if (sums)
+  {
+    this->Sums.Reserve(frame.Window, Format::R32F, width, height, 1);
+  }
+  this->KeepTo(width, height);
+  return this->Marks.Id() != 0 && (!sums || this->Sums.Id() != 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::KeepTo(int width, int height)
+{
+  this->Extent[0] = width;
+  this->Extent[1] = height;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPlanarShadowCanvas::DrawReceivers(const vtkShadowFrame& frame,
+  vtkShadowTextureArray& depths, const vtkshadows::LightView& view,
+  const std::vector<std::size_t>& props)
+{
+  vtkShadowDrawScope target(frame.Window, depths, 0);
+  if (!target.IsComplete())
+  {
+    return false;
+  }
+  target.Clear(nullptr);
+  frame.Shading->DrawDepths(frame, view, &props);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::ClearMarks(const vtkShadowFrame& frame, int mark)
+{
+  // Depths halfway: what lies above a plane is drawn beyond it, what lies beneath before it.
+  frame.Window->GetState()->vtkglStencilMask(0xff);
+  glClearBufferfi(GL_DEPTH_STENCIL, 0, 0.5f, mark);
+  this->UsedMarks = 0;
+  this->Rim = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::MarkAll(const vtkShadowFrame& frame)
+{
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0);
+  this->ClearMarks(frame, 0);
+  this->Rim = 1;
+}
+
+void vtkPlanarShadowCanvas::MarkNothing(const vtkShadowFrame& frame)
+{
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0);
+  this->ClearMarks(frame, OffPlane);
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::MarkReceivers(const vtkShadowFrame& frame,
+  const vtkshadows::LightView& view, const std::vector<std::size_t>& props)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0);
+  this->ClearMarks(frame, OffPlane);
+  state->vtkglDepthFunc(GL_NEVER);
+  state->vtkglEnable(GL_STENCIL_TEST);
+  state->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
+  state->vtkglStencilOp(GL_REPLACE, GL_REPLACE, GL_REPLACE);
+  frame.Shading->DrawDepths(frame, view, &props);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
+  const glm::dvec3& depthBeneath, const glm::dvec3& depthAbove)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0);
+  this->ClearMarks(frame, OffPlane);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_STENCIL_TEST);
+  state->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
+  state->vtkglStencilOp(GL_REPLACE, GL_REPLACE, GL_REPLACE);
+
+  vtkShaderProgram* program = Ready(frame, vtkPlanarShadowPassMarkFS);
+  // Each term is rounded, too.
+  double terms = 0.0;
+  for (const glm::dvec3& plane : { depthBeneath, depthAbove })
+  {
+    terms = std::max(terms,
+      std::abs(plane.x) * frame.Size[0] + std::abs(plane.y) * frame.Size[1] + std::abs(plane.z));
+  }
+  SetVector(program, "shadowDepthBeneath", depthBeneath);
+  SetVector(program, "shadowDepthAbove", depthAbove);
+  program->SetUniformf(
+    "shadowDepthTolerance", static_cast<float>(std::ldexp(DepthSteps + 4.0 * terms, -24)));
+  depths.Activate();
+  program->SetUniformi("shadowDepths", depths.Unit());
+  DrawFullScreen();
+  depths.Deactivate();
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::Begin(
+  const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer, bool isSoft)
+{
+  this->Masks = &masks;
+  this->Layer = layer;
+  this->IsSoft = isSoft;
+  vtkShadowDrawScope target(
+    frame.Window, this->Marks, 0, isSoft ? &this->Sums : &masks, isSoft ? 0 : layer);
+  const float lit[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+  glClearBufferfv(GL_COLOR, 0, lit);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPlanarShadowCanvas::Throw(const vtkShadowFrame& frame,
+  const std::vector<std::size_t>& casters, const vtkshadows::LightView& view, float share)
+{
+  if (this->UsedMarks + 1 >= OffPlane)
+  {
+    return false;
+  }
+  ++this->UsedMarks;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0, this->IsSoft ? &this->Sums : this->Masks,
+    this->IsSoft ? 0 : this->Layer);
+  target.Confine(this->Extent[0], this->Extent[1], this->Rim);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_GREATER);
+  state->vtkglEnable(GL_STENCIL_TEST);
+  state->vtkglStencilMask(0xff);
+  state->vtkglStencilFunc(GL_GREATER, this->UsedMarks, 0xff);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  // Casters are drawn white: so much of it is taken away.
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+  state->vtkglBlendFuncSeparate(GL_CONSTANT_COLOR, GL_ONE, GL_CONSTANT_COLOR, GL_ONE);
+  glBlendColor(share, share, share, share);
+  frame.Shading->DrawCasters(frame, casters, view, {}, false);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::End(const vtkShadowFrame& frame)
+{
+  if (!this->IsSoft)
+  {
+    return;
+  }
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0, this->Masks, this->Layer);
+  frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+  vtkShaderProgram* program = Ready(frame, vtkPlanarShadowPassSumFS);
+  this->Sums.Activate();
+  program->SetUniformi("shadowSums", this->Sums.Unit());
+  DrawFullScreen();
+  this->Sums.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::Release()
+{
+  this->Marks.Release();
+  this->Sums.Release();
+}
