@@ -1,6 +1,8 @@
 #include "vtkShadowedShadingPass.h"
 
 #include "vtkShadowCasterCamera.h"
+#include "vtkShadowCatcherFS.h"
+#include "vtkShadowCatchers.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowReceiverBufferFS.h"
@@ -18,6 +20,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
@@ -33,6 +36,7 @@ namespace
 // after.
 const char* const DeclarationMark = "//SHADOW::Dec\n";
 const char* const LightMark = "//SHADOW::Light\n";
+const char* const CatcherMark = "//SHADOW::Catcher\n";
 const char* const OutputMark = "//SHADOW::Output\n";
 const char* const VertexDeclarationMark = "//SHADOW::VertexDec\n";
 const char* const VertexMark = "//SHADOW::Vertex\n";
@@ -115,7 +119,11 @@ void AppendToMain(std::string& source, const std::string& code)
 }
 
 //------------------------------------------------------------------------------
-vtkShadowedShadingPass::vtkShadowedShadingPass() = default;
+vtkShadowedShadingPass::vtkShadowedShadingPass()
+  : Catchers(new vtkShadowCatchers)
+{
+}
+
 vtkShadowedShadingPass::~vtkShadowedShadingPass() = default;
 
 //------------------------------------------------------------------------------
@@ -174,6 +182,15 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
     this->ShaderStage.Modified();
   }
   this->ParallelEye = frame.Renderer->GetActiveCamera()->GetParallelProjection() ? 1 : 0;
+  std::vector<bool> casting;
+  for (const LightPlan& light : this->Plan)
+  {
+    casting.push_back(light.Technique != nullptr);
+  }
+  if (this->Catchers->Gather(frame, casting))
+  {
+    this->ShaderStage.Modified();
+  }
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
     this->AttachTo(prop.Source, prop.Receives);
@@ -208,6 +225,7 @@ void vtkShadowedShadingPass::ActivateTextures()
   {
     technique->GetTextures()->Activate();
   }
+  this->Catchers->ActivateMasks();
 }
 
 //------------------------------------------------------------------------------
@@ -217,6 +235,8 @@ void vtkShadowedShadingPass::Detach()
   {
     technique->GetTextures()->Deactivate();
   }
+  this->Catchers->DeactivateMasks();
+  this->ClampDepth(false);
   for (const auto& attached : this->Attached)
   {
     vtkInformation* keys = attached.second;
@@ -273,9 +293,61 @@ void vtkShadowedShadingPass::DrawReceivers(const vtkShadowFrame& frame, Stage st
   this->SetStage(stage);
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
-    prop.Source->RenderOpaqueGeometry(frame.Renderer);
+    if (!this->Catchers->IsDrawn(prop))
+    {
+      continue;
+    }
+    if (prop.Catches)
+    {
+      prop.Source->RenderTranslucentPolygonalGeometry(frame.Renderer);
+    }
+    else
+    {
+      prop.Source->RenderOpaqueGeometry(frame.Renderer);
+    }
   }
+  this->ClampDepth(false);
   this->SetStage(SHADE);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowedShadingPass::BeginCatcherMasks()
+{
+  const bool apart = this->HasMasks && this->Catchers->NeedMasks();
+  if (apart)
+  {
+    this->Catchers->Drawn = vtkShadowCatchers::Round::Catchers;
+  }
+  return apart;
+}
+
+void vtkShadowedShadingPass::EndCatcherMasks()
+{
+  for (vtkShadowTechniquePass* technique : this->Techniques)
+  {
+    if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
+    {
+      this->Catchers->KeepMasks(technique, *technique->GetTextures());
+    }
+  }
+  this->Catchers->Drawn = vtkShadowCatchers::Round::Others;
+}
+
+void vtkShadowedShadingPass::DrawAllReceivers()
+{
+  this->Catchers->Drawn = vtkShadowCatchers::Round::All;
+}
+
+//------------------------------------------------------------------------------
+// A catcher may reach beyond the camera's clipping range: its bounds need not count in it. Nothing
+// of it is cut off then, and since it leaves no depth behind, nothing else is the worse for it.
+void vtkShadowedShadingPass::ClampDepth(bool clamped)
+{
+  if (clamped != this->DepthClamped)
+  {
+    this->DepthClamped = clamped;
+    (clamped ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -360,9 +432,14 @@ void vtkShadowedShadingPass::PlacePositions(
 
 //------------------------------------------------------------------------------
 std::string vtkShadowedShadingPass::LightCode(
-  const std::string& fragmentShader, bool isImpostor) const
+  const std::string& fragmentShader, bool isImpostor, bool isCatcher) const
 {
   std::ostringstream code;
+  if (isCatcher)
+  {
+    code << "  vec2 shadowSurface = shadowCatcherSurface(ambientColor, diffuseColor, "
+            "specularColor);\n";
+  }
   if (isImpostor)
   {
     code
@@ -373,8 +450,14 @@ std::string vtkShadowedShadingPass::LightCode(
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
     const LightPlan& light = this->Plan[i];
-    if (!light.Technique || !Declares(fragmentShader, ColorUniform(i)))
+    const std::string color = ColorUniform(i);
+    if (!Declares(fragmentShader, color) || (!light.Technique && !isCatcher))
     {
+      continue;
+    }
+    if (!light.Technique)
+    {
+      code << "  vec3 " << color << " = shadowCatcherLight(" << color << ", 1.0);\n";
       continue;
     }
     const bool isMask = light.Technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK;
@@ -397,7 +480,9 @@ std::string vtkShadowedShadingPass::LightCode(
     const std::string factor = light.Strength < 1.0f
       ? "mix(1.0, " + Visibility(i) + ", " + StrengthUniform(i) + ")"
       : Visibility(i);
-    code << "  vec3 " << ColorUniform(i) << " = " << ColorUniform(i) << " * " << factor << ";\n";
+    code << "  vec3 " << color << " = "
+         << (isCatcher ? "shadowCatcherLight(" + color + ", " + factor + ")" : color + " * " + factor)
+         << ";\n";
   }
   return code.str();
 }
@@ -446,6 +531,13 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
   const bool found = Mark(fragmentShader, DeclarationMark, "//VTK::Light::Dec") &&
     Mark(fragmentShader, LightMark, "//VTK::Light::Impl") &&
     Mark(fragmentShader, OutputMark, "//VTK::DepthPeeling::Impl");
+  if (found && this->IsCatcher(prop))
+  {
+    const std::string tag = "//VTK::Light::Impl";
+    // Its property's opacity of 0 would discard it.
+    vtkShaderProgram::Substitute(
+      fragmentShader, tag, "  opacity = 1.0;\n" + tag + "\n" + CatcherMark, false);
+  }
   if (!found)
   {
     if (!this->Complained)
@@ -471,7 +563,7 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
 
 //------------------------------------------------------------------------------
 bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   if (this->DrawsDepthAlone())
   {
@@ -483,13 +575,28 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   if (!isLit)
   {
     vtkShaderProgram::Substitute(fragmentShader, LightMark, "");
+    vtkShaderProgram::Substitute(fragmentShader, CatcherMark, "  gl_FragData[0] = vec4(0.0);\n");
     vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->NoReceiver());
     return true;
   }
   const Surface surface = SurfaceOf(vertexShader, geometryShader, fragmentShader);
   const bool isImpostor = surface == Surface::Impostor;
+  const bool catches = this->CurrentStage == SHADE && this->IsCatcher(prop);
   vtkShaderProgram::Substitute(fragmentShader, LightMark,
-    this->CurrentStage == POSITIONS ? std::string() : this->LightCode(fragmentShader, isImpostor));
+    this->CurrentStage == POSITIONS ? std::string()
+                                    : this->LightCode(fragmentShader, isImpostor, catches));
+  if (catches)
+  {
+    // Physically based shading ends in a gamma of 2.2.
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const bool isCoded = actor && actor->GetProperty()->GetInterpolation() == VTK_PBR;
+    const std::string light =
+      isCoded ? "pow(gl_FragData[0].rgb, vec3(2.2))" : "gl_FragData[0].rgb";
+    vtkShaderProgram::Substitute(fragmentShader, CatcherMark,
+      "  gl_FragData[0] = shadowCatch(" + light + ", shadowSurface, vertexVC);\n");
+    vtkShaderProgram::Substitute(
+      fragmentShader, DeclarationMark, vtkShadowCatcherFS + std::string(DeclarationMark));
+  }
   vtkShaderProgram::Substitute(
     fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor));
   this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices);
@@ -537,6 +644,12 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;
   }
+  const bool isCatcher = this->IsCatcher(prop);
+  this->ClampDepth(isCatcher);
+  if (isCatcher && this->CurrentStage != SHADE)
+  {
+    this->State->vtkglDepthMask(GL_TRUE);
+  }
   if (this->CurrentStage == DEPTHS)
   {
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
@@ -569,7 +682,13 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   }
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
-    program->SetUniformi(technique->GetSamplerName().c_str(), technique->GetTextures()->Unit());
+    const vtkShadowTextureArray* own = isCatcher ? this->Catchers->MasksOf(technique) : nullptr;
+    program->SetUniformi(
+      technique->GetSamplerName().c_str(), (own ? own : technique->GetTextures())->Unit());
+  }
+  if (isCatcher)
+  {
+    this->Catchers->SetParameters(program, prop);
   }
   if (this->HasMasks)
   {
@@ -593,13 +712,21 @@ bool vtkShadowedShadingPass::IsReceiver(vtkProp* prop) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowedShadingPass::IsCatcher(vtkProp* prop) const
+{
+  return this->Receives.count(prop) != 0 ? this->Catchers->Has(prop)
+                                         : vtkShadowPass::IsShadowCatcher(prop);
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowedShadingPass::SetMaskParameters(
   vtkShaderProgram* program, vtkProp* prop, bool receives)
 {
-  // A mask knows the opaque receivers only.
+  // A mask knows the opaque receivers and the catchers only.
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool isTranslucent = actor && actor->IsRenderingTranslucentPolygonalGeometry();
-  program->SetUniformf("shadowReceivesMask", receives && !isTranslucent ? 1.0f : 0.0f);
+  const bool hasMask = !isTranslucent || this->IsCatcher(prop);
+  program->SetUniformf("shadowReceivesMask", receives && hasMask ? 1.0f : 0.0f);
   if (this->MaskIsPixels)
   {
     return;
@@ -617,6 +744,13 @@ void vtkShadowedShadingPass::SetMaskParameters(
 vtkMTimeType vtkShadowedShadingPass::GetShaderStageMTime()
 {
   return this->ShaderStage.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedShadingPass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  this->Catchers->ReleaseMasks();
+  this->Superclass::ReleaseGraphicsResources(w);
 }
 
 //------------------------------------------------------------------------------
