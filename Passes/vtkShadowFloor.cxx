@@ -146,12 +146,7 @@ bool vtkShadowFloor::Place(vtkRenderer* renderer, const double* offset)
     return false;
   }
   glm::dvec3 normal(this->Normal[0], this->Normal[1], this->Normal[2]);
-  if (normal == glm::dvec3(0.0))
-  {
-    NearestAxis(renderer->GetActiveCamera()->GetViewUp(), &normal.x);
-  }
-  const double length = glm::length(normal);
-  if (!(length > 0.0 && std::isfinite(length) && this->Size > 0.0 && std::isfinite(this->Size)) ||
+  if (!std::isfinite(glm::length(normal)) || !(this->Size > 0.0 && std::isfinite(this->Size)) ||
     (offset && !std::isfinite(*offset)))
   {
     vtkErrorMacro("Normal (" << normal.x << ", " << normal.y << ", " << normal.z << "), Size "
@@ -159,7 +154,14 @@ bool vtkShadowFloor::Place(vtkRenderer* renderer, const double* offset)
                              << ": give a finite direction, a size above 0 and a finite offset.");
     return false;
   }
-  normal /= length;
+
+  // A camera that is made now must not last: VTK resets the one that it makes in its first frame.
+  const bool hasCamera = renderer->IsActiveCameraCreated() != 0;
+  if (normal == glm::dvec3(0.0))
+  {
+    NearestAxis(renderer->GetActiveCamera()->GetViewUp(), &normal.x);
+  }
+  normal = glm::normalize(normal);
 
   // One side along x, or along y if the floor faces x.
   const glm::dvec3 wanted =
@@ -170,6 +172,10 @@ bool vtkShadowFloor::Place(vtkRenderer* renderer, const double* offset)
 
   vtkNew<vtkShadowScene> scene;
   scene->Gather(renderer);
+  if (!hasCamera)
+  {
+    renderer->SetActiveCamera(nullptr);
+  }
   for (const vtkShadowScene::Prop& prop : scene->GetProps())
   {
     for (const vtkShadowScene::Piece& piece : prop.Pieces)

@@ -35,7 +35,7 @@ public:
   ///@{
   /**
    * World direction that the floor faces, of any length. (0, 0, 0), the default: the axis nearest
-   * to the view-up of the renderer's camera.
+   * to the view-up of the renderer's camera; y if it has none yet.
    */
   vtkSetVector3Macro(Normal, double);
   vtkGetVector3Macro(Normal, double);

@@ -100,6 +100,29 @@ void FillImage(vtkImageData* image, const vtkShadowFrame& frame, const std::vect
   image->Modified();
 }
 
+// VTK blends translucent props in a framebuffer of its own, with a copy of the depth, which fails
+// where another pass's framebuffer has depth of another format (vtkSSAAPass's has): they would show
+// through what hides them.
+bool MustBlendInPlace(const vtkRenderState* s)
+{
+  return s->GetFrameBuffer() && !s->GetRenderer()->GetUseDepthPeeling() &&
+    std::any_of(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(),
+      [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+}
+
+// As vtkRenderStepsPass draws, but for what the renderer does with opaque props.
+void DrawBlendingInPlace(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** const begin = s->GetPropArray();
+  vtkProp** const end = begin + s->GetPropArrayCount();
+  renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+  std::for_each(
+    begin, end, [&](vtkProp* prop) { prop->RenderTranslucentPolygonalGeometry(renderer); });
+  std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderVolumetricGeometry(renderer); });
+  std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderOverlay(renderer); });
+}
+
 vtkInformation* KeysOf(vtkProp* prop)
 {
   if (!prop->GetPropertyKeys())
@@ -471,7 +494,14 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   }
   else
   {
-    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    if (MustBlendInPlace(s))
+    {
+      DrawBlendingInPlace(s);
+    }
+    else
+    {
+      this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    }
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   if (shadowed)
