@@ -61,8 +61,8 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
   app
     .add_option(
       "--floor", raw.floor,
-      "auto (under the scene), catcher (the same, showing nothing but shadow: pictures are "
-      "transparent, with alpha), none, or NX,NY,NZ,D: the plane n.x = D")
+      "auto (under the scene), none, catcher (as auto, but it shows nothing but shadow, and pictures "
+      "are transparent, with alpha), or NX,NY,NZ,D: the plane n.x = D")
     ->type_name("SPEC")
     ->capture_default_str();
   app.add_option("--resolution", raw.resolution, "texels on the longer side of a depth map")

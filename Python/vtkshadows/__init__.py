@@ -557,8 +557,10 @@ def _normal_of(actor):
 
 def _add_key_light(renderer, up):
     """From above and left of the camera, a little from before it; headlights are left to fill."""
-    if not any(each.GetSwitch() for each in renderer.GetLights()):
-        renderer.CreateLight()  # as VTK does in the first frame, if it is let
+    if renderer.GetAutomaticLightCreation() and not any(l.GetSwitch() for l in renderer.GetLights()):
+        headlight = vtkLight()  # as VTK does in the first frame
+        headlight.SetLightTypeToHeadlight()
+        renderer.AddLight(headlight)
     for each in renderer.GetLights():
         if each.GetSwitch():
             each.SetIntensity(each.GetIntensity() / 3)
