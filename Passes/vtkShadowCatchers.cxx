@@ -63,9 +63,8 @@ bool MayHide(const vtkShadowFrame& frame, const Scene::Piece& piece, double eyeS
   {
     return true;
   }
-  const std::vector<vtkshadows::BoxCorners> others =
-    vtkShadowCornersOf(*frame.Scene, [](const Scene::Prop& prop)
-      { return prop.Receives && !prop.Catches && !prop.Translucent; });
+  const std::vector<vtkshadows::BoxCorners> others = vtkShadowCornersOf(*frame.Scene,
+    [](const Scene::Prop& prop) { return prop.Receives && !prop.Catches && !prop.Translucent; });
   for (const vtkshadows::BoxCorners& corners : others)
   {
     for (const glm::dvec3& corner : corners)

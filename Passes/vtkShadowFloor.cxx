@@ -118,9 +118,10 @@ vtkActor* vtkShadowFloor::GetActor()
 //------------------------------------------------------------------------------
 void vtkShadowFloor::NearestAxis(const double vector[3], double axis[3])
 {
-  const int largest = static_cast<int>(std::max_element(vector, vector + 3,
-                                         [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-    vector);
+  const int largest =
+    static_cast<int>(std::max_element(vector, vector + 3,
+                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      vector);
   const double sign = vector[largest] < 0.0 ? -1.0 : 1.0;
   std::fill_n(axis, 3, 0.0);
   axis[largest] = sign;

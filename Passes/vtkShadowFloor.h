@@ -8,10 +8,10 @@
  * floor->Fit(renderer);
  * renderer->AddActor(floor->GetActor());
  * @endcode
- * The scene that it is fitted to is the surfaces of the renderer's visible props (the bounds of what
- * has none), this floor and shadow catchers left out. It is measured in the floor's own axes: its
- * normal, and the two sides of the square, of which one lies along the x axis as far as it can. Fit
- * again when the scene has changed; the actor is moved by its user matrix, its mesh stays.
+ * The scene that it is fitted to is the surfaces of the renderer's visible props (the bounds of
+ * what has none), this floor and shadow catchers left out. It is measured in the floor's own axes:
+ * its normal, and the two sides of the square, of which one lies along the x axis as far as it can.
+ * Fit again when the scene has changed; the actor is moved by its user matrix, its mesh stays.
  *
  * @sa vtkShadowPass
  */
@@ -43,8 +43,8 @@ public:
 
   ///@{
   /**
-   * Side of the square, in units of the longest side of the scene's box: above 0 (default 3, so that
-   * the shadow of a light 45 degrees high ends on it).
+   * Side of the square, in units of the longest side of the scene's box: above 0 (default 3, so
+   * that the shadow of a light 45 degrees high ends on it).
    */
   vtkSetMacro(Size, double);
   vtkGetMacro(Size, double);

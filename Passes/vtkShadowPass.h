@@ -170,8 +170,8 @@ public:
    * one float component, 0 (not seen) to 1 (seen, background, or no receiver), origin bottom-left.
    * Strength is left out: it is the technique's own answer. The renderer's window must have
    * rendered once and `renderer` must have this pass; light must be one of its lights. Renders the
-   * receivers into a buffer of its own, not into the window. false, with an error, if it could not
-   * be made.
+   * receivers into a buffer of its own, not into the window. A shadow catcher is a receiver there
+   * that hides what is behind it. false, with an error, if it could not be made.
    */
   bool GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility);
 

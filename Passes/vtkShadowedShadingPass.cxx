@@ -481,7 +481,8 @@ std::string vtkShadowedShadingPass::LightCode(
       ? "mix(1.0, " + Visibility(i) + ", " + StrengthUniform(i) + ")"
       : Visibility(i);
     code << "  vec3 " << color << " = "
-         << (isCatcher ? "shadowCatcherLight(" + color + ", " + factor + ")" : color + " * " + factor)
+         << (isCatcher ? "shadowCatcherLight(" + color + ", " + factor + ")"
+                       : color + " * " + factor)
          << ";\n";
   }
   return code.str();
@@ -590,8 +591,7 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
     // Physically based shading ends in a gamma of 2.2.
     auto* actor = vtkActor::SafeDownCast(prop);
     const bool isCoded = actor && actor->GetProperty()->GetInterpolation() == VTK_PBR;
-    const std::string light =
-      isCoded ? "pow(gl_FragData[0].rgb, vec3(2.2))" : "gl_FragData[0].rgb";
+    const std::string light = isCoded ? "pow(gl_FragData[0].rgb, vec3(2.2))" : "gl_FragData[0].rgb";
     vtkShaderProgram::Substitute(fragmentShader, CatcherMark,
       "  gl_FragData[0] = shadowCatch(" + light + ", shadowSurface, vertexVC);\n");
     vtkShaderProgram::Substitute(

@@ -178,7 +178,8 @@ CameraSpec ParseCamera(const std::string& text)
 
 FloorSpec ParseFloor(const std::string& text)
 {
-  const SpecText spec("--floor", text, "write auto, none, catcher or NX,NY,NZ,D (the plane n.x = D)");
+  const SpecText spec(
+    "--floor", text, "write auto, none, catcher or NX,NY,NZ,D (the plane n.x = D)");
   FloorSpec floor;
   const std::map<std::string, FloorSpec::Kind> named = { { "auto", FloorSpec::Kind::Auto },
     { "catcher", FloorSpec::Kind::Catcher }, { "none", FloorSpec::Kind::None } };

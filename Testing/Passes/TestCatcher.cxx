@@ -1,5 +1,6 @@
-// Shadow catchers: their alpha against the light's visibility and closed forms, what is seen through
-// them, before them and from below, among VTK's other means; the fitted floor; pictures with alpha.
+// Shadow catchers: their alpha against the light's visibility and closed forms, what is seen
+// through them, before them and from below, among VTK's other means; the fitted floor; pictures
+// with alpha.
 #include "ShadowTest.h"
 
 #include "vtkShadowFloor.h"
@@ -104,7 +105,6 @@ TEST_F(Catcher, AlphaIsOneMinusVisibility)
     const Frame plain = this->Without(this->Floor);
     const Frame frame = this->Render();
     const Visibility seen = this->VisibilityOf(this->Sun);
-    // The box faces away from nothing that it shadows: where it is seen, the mask is its own.
     std::size_t inShadow = 0;
     const double largest = LargestDifference(frame, plain, black,
       [&](std::size_t i)
@@ -139,8 +139,8 @@ TEST_F(Catcher, ColourAndStrength)
   }
 }
 
-// Of two suns the one that is not seen counts by its luminance and its height; ambient light counts,
-// and so does a light's own shadow strength.
+// Of two suns the one that is not seen counts by its luminance and its height; ambient light
+// counts, and so does a light's own shadow strength.
 TEST_F(Catcher, ShareOfTheLight)
 {
   const glm::dvec3 otherAlong(-0.6, -0.5, -1.0);
@@ -157,10 +157,7 @@ TEST_F(Catcher, ShareOfTheLight)
   const double first = arriving(this->Sun, SunAlong), second = arriving(other, otherAlong);
   this->Shadows->SetTechnique("stencil-volume");
   const auto expected = [&](double ambient, double diffuse, double strength)
-  {
-    return 255.0 *
-      (1.0 - strength * diffuse * first / (ambient + diffuse * (first + second)));
-  };
+  { return 255.0 * (1.0 - strength * diffuse * first / (ambient + diffuse * (first + second))); };
   Check("two lights", this->RedAt(this->Render(), ShadowPlace), expected(0.0, 1.0, 1.0), 1.0);
   this->Shadows->SetLightStrength(this->Sun, 0.5);
   Check("strength 0.5", this->RedAt(this->Render(), ShadowPlace), expected(0.0, 1.0, 0.5), 1.0);
@@ -171,8 +168,8 @@ TEST_F(Catcher, ShareOfTheLight)
   this->Floor->GetProperty()->SetAmbient(0.0);
   this->Floor->GetProperty()->SetDiffuse(1.0);
   this->Shadows->SetLightTechnique(other, "none");
-  Check("other light by none", this->RedAt(this->Render(), ShadowPlace), expected(0.0, 1.0, 1.0),
-    1.0);
+  Check(
+    "other light by none", this->RedAt(this->Render(), ShadowPlace), expected(0.0, 1.0, 1.0), 1.0);
   Check("lit place", this->RedAt(this->Render(), LitPlace), 255.0);
 
   // Physically based, it is another surface, but much the same share.
@@ -201,8 +198,10 @@ TEST_F(Catcher, Fade)
     const Frame frame = this->Render();
     Check(technique + ": middle", this->RedAt(frame, { 0.0, 0.0, 0.0 }), 0.0, 1.0);
     // The steepest slope is 1.5 over half of 2 world units: 3 of 255 a pixel.
-    Check(technique + ": half of the fade along x", this->RedAt(frame, { 1.5, 0.0, 0.0 }), 127.5, 4.0);
-    Check(technique + ": half of it along both", this->RedAt(frame, { -1.5, 0.75, 0.0 }), 191.25, 6.0);
+    Check(
+      technique + ": half of the fade along x", this->RedAt(frame, { 1.5, 0.0, 0.0 }), 127.5, 4.0);
+    Check(
+      technique + ": half of it along both", this->RedAt(frame, { -1.5, 0.75, 0.0 }), 191.25, 6.0);
     CheckAtLeast(technique + ": rim along x", this->RedAt(frame, { 1.98, 0.0, 0.0 }), 253.0);
     CheckAtLeast(technique + ": rim along y", this->RedAt(frame, { 0.0, -0.98, 0.0 }), 251.0);
     vtkShadowPass::SetCatcherFade(this->Floor, 0.0);
@@ -220,7 +219,8 @@ TEST_F(Catcher, ShowsNothingWithoutShadows)
   this->Shadows->SetTechnique("none");
   Check("by none", static_cast<double>(CountDifferent(without, this->Render())), 0.0);
   this->Shadows->SetTechnique("depth-map");
-  CheckAtLeast("by depth map", static_cast<double>(CountDifferent(without, this->Render())), 1000.0);
+  CheckAtLeast(
+    "by depth map", static_cast<double>(CountDifferent(without, this->Render())), 1000.0);
   this->Sun->SetLightTypeToHeadlight();
   const Frame byHeadlight = this->Render();
   Check("by a headlight",
@@ -232,7 +232,8 @@ TEST_F(Catcher, ShowsNothingWithoutShadows)
   // And made an ordinary floor again.
   vtkShadowPass::SetShadowCatcher(this->Floor, false);
   Check("opacity", this->Floor->GetProperty()->GetOpacity(), 1.0);
-  CheckAtLeast("plain floor", static_cast<double>(CountDifferent(without, this->Render())), 10000.0);
+  CheckAtLeast(
+    "plain floor", static_cast<double>(CountDifferent(without, this->Render())), 10000.0);
 }
 
 // From below, the light is on the other side: nothing is shown, nothing hidden, and what is seen is
@@ -256,6 +257,25 @@ TEST_F(Catcher, FromBelow)
   this->Shadows->SetTechnique("depth-map");
   CheckAtMost("depth-map: pixels changed",
     static_cast<double>(CountDifferent(this->Without(this->Floor), this->Render(), 8)), 60.0);
+}
+
+// A light from below shines on the side that is seen then: what is beneath casts on it, and what is
+// above, seen through it, keeps its own shadows.
+TEST_F(Catcher, FromBelowInALightFromBelow)
+{
+  AddBox(this->Renderer, { -0.3, -0.3, -1.3 }, { 0.3, 0.3, -1.0 });
+  AddSun(this->Renderer, { -0.5, 0.0, 1.0 });
+  LookAt(this->Renderer, { 2.0, -6.0, -5.0 }, { 0.0, 0.0, 0.0 });
+  const glm::dvec3 caught(-0.6, 0.0, 0.0), elsewhere(0.9, -0.5, 0.0);
+  for (const std::string& technique : Techniques())
+  {
+    this->Shadows->SetTechnique(technique);
+    const Frame without = this->Without(this->Floor);
+    const Frame frame = this->Render();
+    Check(technique + ": caught", this->RedAt(frame, caught), 0.0, 1.0);
+    Check(
+      technique + ": elsewhere", this->RedAt(frame, elsewhere), this->RedAt(without, elsewhere));
+  }
 }
 
 // A slab beneath, seen through the catcher, keeps its own shadows; a ball that reaches through is
@@ -285,15 +305,17 @@ TEST_F(Catcher, BeneathAndThrough)
       caught += isFree && share < 0.9 ? 1 : 0;
       wrong += isFree && std::abs(frame.rgb[i] - share * without.rgb[i]) > 2.0 ? 1 : 0;
     }
-    CheckAtLeast(technique + ": values with a catcher's shadow", static_cast<double>(caught), 10000.0);
+    CheckAtLeast(
+      technique + ": values with a catcher's shadow", static_cast<double>(caught), 10000.0);
     // A map is fitted to the receivers: without the slab it is another.
     const double limit = technique == "depth-map" ? 0.01 * static_cast<double>(caught) : 0.0;
     CheckAtMost(technique + ": of them wrong", static_cast<double>(wrong), limit);
   }
 }
 
-// A figure that stands in the way hides the catcher, and a translucent pane lies over it.
-TEST_F(Catcher, MasksOfTheirOwnOnlyWhereNeeded)
+// One round of masks serves a floor under a figure; a prop beneath, though it is not seen, asks for
+// two.
+TEST_F(Catcher, OneRoundOfMasksOrTwoAreTheSame)
 {
   this->Shadows->SetTechnique("ray-cast");
   SHADOWTEST_NEEDS_RAY_CAST();
@@ -313,11 +335,15 @@ TEST_F(Catcher, AmongOtherMeans)
     { "FXAA", [this](bool on) { this->Renderer->SetUseFXAA(on); } },
     { "SSAO", [this](bool on) { this->Renderer->SetUseSSAO(on); } },
     { "MSAA", [this](bool on) { this->Window->SetMultiSamples(on ? 4 : 0); } },
-    { "viewport", [this](bool on)
+    { "viewport",
+      [this](bool on)
       { this->Renderer->SetViewport(on ? 0.2 : 0.0, 0.0, on ? 0.8 : 1.0, on ? 0.9 : 1.0); } },
-    { "parallel", [this](bool on)
-      { this->Renderer->GetActiveCamera()->SetParallelProjection(on);
-        this->Renderer->GetActiveCamera()->SetParallelScale(3.0); } },
+    { "parallel",
+      [this](bool on)
+      {
+        this->Renderer->GetActiveCamera()->SetParallelProjection(on);
+        this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+      } },
   };
   for (const std::string& technique : Techniques())
   {
@@ -471,8 +497,8 @@ TEST_F(Catcher, FloorFitsTheScene)
   AddBox(fresh, { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
   floor->SetNormal(0.0, 0.0, 0.0);
   ASSERT_TRUE(floor->Fit(fresh));
-  CheckFloor("without a camera, up is y", floor, { 0.0, -1.0 - 5e-4 * 2.0, 0.0 }, { 0.0, 1.0, 0.0 },
-    2.0);
+  CheckFloor(
+    "without a camera, up is y", floor, { 0.0, -1.0 - 5e-4 * 2.0, 0.0 }, { 0.0, 1.0, 0.0 }, 2.0);
   EXPECT_FALSE(fresh->IsActiveCameraCreated()) << "VTK would not reset it in its first frame";
 }
 
@@ -494,7 +520,8 @@ TEST_F(Catcher, MatteIsRightOverAnyPage)
   vtkNew<vtkImageData> image;
   ASSERT_TRUE(matte->Grab(this->Window, image));
   Check("components", image->GetNumberOfScalarComponents(), 4.0);
-  Check("pixels changed afterwards", static_cast<double>(CountDifferent(before, this->Render())), 0.0);
+  Check(
+    "pixels changed afterwards", static_cast<double>(CountDifferent(before, this->Render())), 0.0);
 
   this->Renderer->GradientBackgroundOff();
   const auto* rgba = static_cast<const unsigned char*>(image->GetScalarPointer());
