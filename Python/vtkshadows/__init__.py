@@ -546,7 +546,7 @@ def _direction(value: Any) -> List[float]:
 
 
 def _has_casting_light(renderer):
-    return any(each.GetSwitch() and not each.LightTypeIsHeadlight() for each in renderer.GetLights())
+    return any(not each.LightTypeIsHeadlight() for each in _switched_on(renderer))
 
 
 def _normal_of(actor):
@@ -557,13 +557,12 @@ def _normal_of(actor):
 
 def _add_key_light(renderer, up):
     """From above and left of the camera, a little from before it; headlights are left to fill."""
-    if renderer.GetAutomaticLightCreation() and not any(l.GetSwitch() for l in renderer.GetLights()):
+    if renderer.GetAutomaticLightCreation() and not _switched_on(renderer):
         headlight = vtkLight()  # as VTK does in the first frame
         headlight.SetLightTypeToHeadlight()
         renderer.AddLight(headlight)
-    for each in renderer.GetLights():
-        if each.GetSwitch():
-            each.SetIntensity(each.GetIntensity() / 3)
+    for each in _switched_on(renderer):
+        each.SetIntensity(each.GetIntensity() / 3)
     # Not the renderer's own if it has none yet: VTK resets the one that it makes in its first frame.
     camera = renderer.GetActiveCamera() if renderer.IsActiveCameraCreated() else vtkCamera()
     back, above = (numpy.array(v) for v in (camera.GetViewPlaneNormal(), camera.GetViewUp()))
@@ -776,12 +775,16 @@ def _require_shadow_pass(renderer: vtkRenderer) -> vtkShadowPass:
     return shadows
 
 
+def _switched_on(renderer: vtkRenderer) -> List[vtkLight]:
+    return [each for each in renderer.GetLights() if each.GetSwitch()]
+
+
 def _find_light(renderer: vtkRenderer, light: Union[vtkLight, int]) -> vtkLight:
     if isinstance(light, vtkLight):
         if not renderer.GetLights().IsItemPresent(light):
             raise ValueError("light: not one of this renderer's; add it with AddLight")
         return light
-    switched_on = [each for each in renderer.GetLights() if each.GetSwitch()]
+    switched_on = _switched_on(renderer)
     if not switched_on:
         raise ValueError(
             "this renderer has no light switched on; add one, or render once to get VTK's default"
