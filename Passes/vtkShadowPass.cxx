@@ -12,12 +12,14 @@
 #include "vtkRayCastShadowPass.h"
 #endif
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkFloatArray.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -27,6 +29,7 @@
 #include "vtkPointData.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkStringArray.h"
 #include "vtkWeakPointer.h"
@@ -41,6 +44,7 @@ vtkStandardNewMacro(vtkShadowPass);
 
 vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOWS, Integer);
 vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOWS, Integer);
+vtkInformationKeyRestrictedMacro(vtkShadowPass, SHADOW_CATCHER, DoubleVector, 5);
 
 namespace
 {
@@ -97,18 +101,74 @@ void FillImage(vtkImageData* image, const vtkShadowFrame& frame, const std::vect
   image->Modified();
 }
 
-void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
+// VTK blends translucent props in a framebuffer of its own, with a copy of the depth, which fails
+// where another pass's framebuffer has depth of another format (vtkSSAAPass's has): they would show
+// through what hides them.
+bool MustBlendInPlace(const vtkRenderState* s)
 {
-  if (!prop)
-  {
-    return;
-  }
+  return s->GetFrameBuffer() && !s->GetRenderer()->GetUseDepthPeeling() &&
+    std::any_of(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(),
+      [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+}
+
+// As vtkRenderStepsPass draws, but for what the renderer does with opaque props.
+void DrawBlendingInPlace(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** const begin = s->GetPropArray();
+  vtkProp** const end = begin + s->GetPropArrayCount();
+  renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+  std::for_each(
+    begin, end, [&](vtkProp* prop) { prop->RenderTranslucentPolygonalGeometry(renderer); });
+  std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderVolumetricGeometry(renderer); });
+  std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderOverlay(renderer); });
+}
+
+vtkInformation* KeysOf(vtkProp* prop)
+{
   if (!prop->GetPropertyKeys())
   {
     vtkNew<vtkInformation> keys;
     prop->SetPropertyKeys(keys);
   }
-  prop->GetPropertyKeys()->Set(key, value ? 1 : 0);
+  return prop->GetPropertyKeys();
+}
+
+void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
+{
+  if (prop)
+  {
+    KeysOf(prop)->Set(key, value ? 1 : 0);
+  }
+}
+
+// What SHADOW_CATCHER holds, in its order.
+enum CatcherSetting
+{
+  CatcherColor = 0,
+  CatcherStrength = 3,
+  CatcherFade = 4,
+  CatcherSettings = 5
+};
+const double DefaultCatcher[CatcherSettings] = { 0.0, 0.0, 0.0, 1.0, 0.0 };
+
+// Make `actor` a catcher if it is none, and give it `count` settings from `first` on.
+void EditCatcher(vtkActor* actor, const char* what, int first, const double* values, int count)
+{
+  if (!actor || !std::all_of(values, values + count, [](double v) { return std::isfinite(v); }))
+  {
+    vtkGenericWarningMacro(<< what << " of actor " << actor << ": give a vtkActor and 0 to 1, not "
+                           << values[0] << (count == 3 ? ", ..." : "") << ".");
+    return;
+  }
+  vtkShadowPass::SetShadowCatcher(actor, true);
+  vtkInformation* keys = actor->GetPropertyKeys();
+  double settings[CatcherSettings];
+  std::copy_n(keys->Get(vtkShadowPass::SHADOW_CATCHER()), int(CatcherSettings), settings);
+  std::transform(values, values + count, settings + first,
+    [](double v) { return std::min(std::max(v, 0.0), 1.0); });
+  keys->Set(vtkShadowPass::SHADOW_CATCHER(), settings, CatcherSettings);
+  actor->Modified();
 }
 
 }
@@ -198,6 +258,8 @@ public:
   vtkShadowFrame FrameOf(const vtkRenderState* s);
   std::vector<vtkShadowedShadingPass::LightPlan> PlanLights(bool withStrength);
   bool Begin(const vtkShadowFrame& frame, bool withStrength, bool always);
+  void UpdateTechniques(
+    const vtkShadowFrame& frame, std::vector<vtkShadowedShadingPass::LightPlan>& plan, bool masks);
   void End();
   std::string DrawDebugView(const vtkShadowFrame& frame);
   std::vector<vtkShadowedShadingPass::LightPlan> Plan; // of this frame
@@ -279,10 +341,38 @@ bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStren
 
   this->Shading->SetPlan(plan);
   this->Shading->Attach(frame);
+  if (this->Shading->BeginCatcherMasks())
+  {
+    this->UpdateTechniques(frame, plan, true);
+    this->Shading->EndCatcherMasks();
+    this->Receivers.Invalidate();
+    this->UpdateTechniques(frame, plan, false);
+    this->Shading->DrawAllReceivers();
+    this->Receivers.Invalidate();
+  }
+  else
+  {
+    this->UpdateTechniques(frame, plan, false);
+  }
+  this->Plan = plan;
+  this->Shading->ActivateTextures();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Have the techniques of the plan, or those of them that make masks, serve their lights; the lights
+// of one that fails lose it.
+void vtkShadowPass::Internals::UpdateTechniques(
+  const vtkShadowFrame& frame, std::vector<vtkShadowedShadingPass::LightPlan>& plan, bool masks)
+{
   bool failed = false;
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     std::vector<int> lights;
+    if (masks && technique->GetVisibilityForm() != vtkShadowTechniquePass::MASK)
+    {
+      continue;
+    }
     for (std::size_t i = 0; i < plan.size(); ++i)
     {
       if (plan[i].Technique == technique)
@@ -303,9 +393,6 @@ bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStren
   {
     this->Shading->SetPlan(plan);
   }
-  this->Plan = plan;
-  this->Shading->ActivateTextures();
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -409,7 +496,14 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   }
   else
   {
-    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    if (MustBlendInPlace(s))
+    {
+      DrawBlendingInPlace(s);
+    }
+    else
+    {
+      this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    }
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   if (shadowed)
@@ -442,6 +536,7 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* w)
   {
     technique->ReleaseGraphicsResources(w);
   }
+  this->Internal->Shading->ReleaseGraphicsResources(w);
   this->Internal->Receivers.Release();
   if (this->Internal->Delegate)
   {
@@ -677,6 +772,61 @@ void vtkShadowPass::SetCastsShadows(vtkProp* prop, bool casts)
 void vtkShadowPass::SetReceivesShadows(vtkProp* prop, bool receives)
 {
   SetKey(prop, vtkShadowPass::RECEIVES_SHADOWS(), receives);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetShadowCatcher(vtkActor* actor, bool catches)
+{
+  if (!actor)
+  {
+    vtkGenericWarningMacro("SetShadowCatcher(nullptr, " << catches << "): give a vtkActor.");
+  }
+  else if (catches && !vtkShadowPass::IsShadowCatcher(actor))
+  {
+    KeysOf(actor)->Set(vtkShadowPass::SHADOW_CATCHER(), DefaultCatcher, CatcherSettings);
+    actor->GetProperty()->SetOpacity(0.0);
+    actor->Modified();
+  }
+  else if (!catches && vtkShadowPass::IsShadowCatcher(actor))
+  {
+    actor->GetPropertyKeys()->Remove(vtkShadowPass::SHADOW_CATCHER());
+    actor->GetProperty()->SetOpacity(1.0);
+    actor->Modified();
+  }
+}
+
+bool vtkShadowPass::IsShadowCatcher(vtkProp* prop)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  return keys && keys->Has(vtkShadowPass::SHADOW_CATCHER());
+}
+
+void vtkShadowPass::SetCatcherColor(vtkActor* actor, double red, double green, double blue)
+{
+  const double color[3] = { red, green, blue };
+  EditCatcher(actor, "SetCatcherColor", CatcherColor, color, 3);
+}
+
+void vtkShadowPass::SetCatcherStrength(vtkActor* actor, double strength)
+{
+  EditCatcher(actor, "SetCatcherStrength", CatcherStrength, &strength, 1);
+}
+
+void vtkShadowPass::SetCatcherFade(vtkActor* actor, double fade)
+{
+  EditCatcher(actor, "SetCatcherFade", CatcherFade, &fade, 1);
+}
+
+bool vtkShadowPass::GetCatcherSettings(
+  vtkProp* prop, double color[3], double& strength, double& fade)
+{
+  const bool catches = vtkShadowPass::IsShadowCatcher(prop);
+  const double* settings =
+    catches ? prop->GetPropertyKeys()->Get(vtkShadowPass::SHADOW_CATCHER()) : DefaultCatcher;
+  std::copy_n(settings + CatcherColor, 3, color);
+  strength = settings[CatcherStrength];
+  fade = settings[CatcherFade];
+  return catches;
 }
 
 //------------------------------------------------------------------------------

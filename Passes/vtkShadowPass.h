@@ -23,7 +23,7 @@
  * RECEIVES_SHADOWS 0: always lit.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
  * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
- * (stencil-volume, ray-cast).
+ * (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but shadow.
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
  * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
@@ -51,8 +51,10 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+class vtkActor;
 class vtkDepthShadowMapPass;
 class vtkImageData;
+class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
 class vtkLight;
 class vtkProp;
@@ -171,8 +173,8 @@ public:
    * one float component, 0 (not seen) to 1 (seen, background, or no receiver), origin bottom-left.
    * Strength is left out: it is the technique's own answer. The renderer's window must have
    * rendered once and `renderer` must have this pass; light must be one of its lights. Renders the
-   * receivers into a buffer of its own, not into the window. false, with an error, if it could not
-   * be made.
+   * receivers into a buffer of its own, not into the window. A shadow catcher is a receiver there
+   * that hides what is behind it. false, with an error, if it could not be made.
    */
   bool GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility);
 
@@ -206,6 +208,50 @@ public:
   static void SetCastsShadows(vtkProp* prop, bool casts);
   static void SetReceivesShadows(vtkProp* prop, bool receives);
   ///@}
+
+  ///@{
+  /**
+   * A **shadow catcher** shows nothing but the shadow that falls on it: its own colour where light
+   * is missing, transparent elsewhere. It always receives, from every technique, and never casts.
+   * Making an actor one gives its property the opacity 0, by which VTK draws it translucent, and
+   * not at all without this pass or without a light that casts; picking passes through it, too. A
+   * catcher that is made no catcher is opaque again (opacity 1). Its property must be its own. One
+   * whose property is given the opacity 1 is an ordinary prop as long as it has that.
+   *
+   * Its alpha is strength times the share of its brightness that a floor with its property would
+   * lose: D (G - R) / (A + D G), where R is the luminance of the light that arrives, with each
+   * light's N.L, attenuation and visibility, G the same without visibility, and D and A the
+   * luminance of its diffuse and ambient colour. With one light, no ambient colour and strength 1
+   * it is 1 - visibility. Where no light arrives it is 0. A property without lighting catches
+   * nothing.
+   */
+  static void SetShadowCatcher(vtkActor* actor, bool catches);
+  static bool IsShadowCatcher(vtkProp* prop);
+  ///@}
+
+  ///@{
+  /**
+   * Settings of a catcher; an actor that is none is made one.
+   * Color: of the shadow, red, green and blue from 0 to 1 (default black).
+   * Strength: what its alpha is multiplied by, 0 to 1 (default 1).
+   * Fade: 0 to 1 (default 0): share of the way from its rim to its middle, along each axis of its
+   * bounds in model coordinates, on which the shadow rises from nothing to its whole strength.
+   * Values are clamped; what is not finite is refused with a warning.
+   */
+  static void SetCatcherColor(vtkActor* actor, double red, double green, double blue);
+  static void SetCatcherStrength(vtkActor* actor, double strength);
+  static void SetCatcherFade(vtkActor* actor, double fade);
+  ///@}
+
+  /**
+   * What they are; false, and the defaults, for a prop that is no catcher.
+   */
+  static bool GetCatcherSettings(vtkProp* prop, double color[3], double& strength, double& fade);
+
+  /**
+   * The key that makes a prop a catcher, if it is translucent: red, green, blue, strength, fade.
+   */
+  static vtkInformationDoubleVectorKey* SHADOW_CATCHER();
 
 protected:
   vtkShadowPass();

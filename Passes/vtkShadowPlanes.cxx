@@ -203,10 +203,10 @@ void vtkShadowPlanes::Find(const vtkShadowScene& scene, const std::vector<glm::d
   }
   for (std::size_t i = 0; i < props.size(); ++i)
   {
-    // A translucent receiver takes nothing from a mask.
+    // Of translucent receivers a mask knows catchers alone.
     for (const vtkShadowScene::Piece& piece : props[i].Pieces)
     {
-      if (!props[i].Receives || props[i].Translucent)
+      if (!props[i].Receives || (props[i].Translucent && !props[i].Catches))
       {
         continue;
       }

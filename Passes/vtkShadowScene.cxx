@@ -418,6 +418,12 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
     const int isScenery = source->IsA("vtkFollower") ? 0 : 1;
     prop.Casts = KeyOr(source, vtkShadowPass::CASTS_SHADOWS(), isScenery && !prop.Translucent) != 0;
     prop.Receives = KeyOr(source, vtkShadowPass::RECEIVES_SHADOWS(), isScenery) != 0;
+    if (prop.Translucent && vtkShadowPass::IsShadowCatcher(source))
+    {
+      prop.Catches = true;
+      prop.Casts = false;
+      prop.Receives = true;
+    }
     this->Props.push_back(std::move(prop));
   }
 }

@@ -51,6 +51,7 @@ struct vtkShadowScene::Prop
   bool Casts = true;
   bool Receives = true;
   bool Translucent = false;
+  bool Catches = false; // a shadow catcher: translucent, receives, casts nothing
   // Draws impostors (spheres, sticks, points as spheres, lines as tubes), whose shaders ask whether
   // the camera is parallel.
   bool Impostors = false;

@@ -5,6 +5,8 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkTextureUnitManager.h"
 
+#include <utility>
+
 namespace
 {
 
@@ -194,4 +196,13 @@ void vtkShadowTextureArray::Release()
   this->Texture = 0;
   this->TextureUnit = -1;
   this->Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::Swap(vtkShadowTextureArray& other)
+{
+  std::swap(this->Window, other.Window);
+  std::swap(this->Texture, other.Texture);
+  std::swap(this->TexelFormat, other.TexelFormat);
+  std::swap(this->Size, other.Size);
 }

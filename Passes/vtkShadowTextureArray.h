@@ -49,6 +49,9 @@ public:
 
   void Release();
 
+  // Trade contents; neither may be bound.
+  void Swap(vtkShadowTextureArray& other);
+
   bool HasStencil() const { return this->TexelFormat == Format::Depth24Stencil8; }
 
   unsigned int Id() const { return this->Texture; }

@@ -2,6 +2,8 @@
 
 #include "ShadowLight.h"
 #include "vtkShadowCasterCamera.h"
+#include "vtkShadowCatcherFS.h"
+#include "vtkShadowCatchers.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowReceiverBufferFS.h"
@@ -21,6 +23,7 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp3D.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
@@ -37,6 +40,7 @@ namespace
 // after.
 const char* const DeclarationMark = "//SHADOW::Dec\n";
 const char* const LightMark = "//SHADOW::Light\n";
+const char* const CatcherMark = "//SHADOW::Catcher\n";
 const char* const OutputMark = "//SHADOW::Output\n";
 const char* const VertexDeclarationMark = "//SHADOW::VertexDec\n";
 const char* const VertexMark = "//SHADOW::Vertex\n";
@@ -125,7 +129,11 @@ void AppendToMain(std::string& source, const std::string& code)
 }
 
 //------------------------------------------------------------------------------
-vtkShadowedShadingPass::vtkShadowedShadingPass() = default;
+vtkShadowedShadingPass::vtkShadowedShadingPass()
+  : Catchers(new vtkShadowCatchers)
+{
+}
+
 vtkShadowedShadingPass::~vtkShadowedShadingPass() = default;
 
 //------------------------------------------------------------------------------
@@ -184,6 +192,15 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
     this->ShaderStage.Modified();
   }
   this->ParallelEye = frame.Renderer->GetActiveCamera()->GetParallelProjection() ? 1 : 0;
+  std::vector<bool> casting;
+  for (const LightPlan& light : this->Plan)
+  {
+    casting.push_back(light.Technique != nullptr);
+  }
+  if (this->Catchers->Gather(frame, casting))
+  {
+    this->ShaderStage.Modified();
+  }
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
     this->AttachTo(prop.Source, prop.Receives);
@@ -222,6 +239,7 @@ void vtkShadowedShadingPass::ActivateTextures()
     technique->GetTextures()->Activate();
     stamps.push_back(technique->GetReceiverStamp());
   }
+  this->Catchers->ActivateMasks();
   if (stamps != this->ReceiverStamps)
   {
     this->ReceiverStamps = stamps;
@@ -252,6 +270,8 @@ void vtkShadowedShadingPass::Detach()
   {
     technique->GetTextures()->Deactivate();
   }
+  this->Catchers->DeactivateMasks();
+  this->ClampDepth(false);
   for (const auto& attached : this->Attached)
   {
     vtkInformation* keys = attached.second;
@@ -312,9 +332,62 @@ void vtkShadowedShadingPass::DrawReceivers(
   const std::vector<vtkShadowScene::Prop>& all = frame.Scene->GetProps();
   for (std::size_t i = 0; i < (props ? props->size() : all.size()); ++i)
   {
-    all[props ? (*props)[i] : i].Source->RenderOpaqueGeometry(frame.Renderer);
+    const vtkShadowScene::Prop& prop = all[props ? (*props)[i] : i];
+    if (!this->Catchers->IsDrawn(prop))
+    {
+      continue;
+    }
+    if (prop.Catches)
+    {
+      prop.Source->RenderTranslucentPolygonalGeometry(frame.Renderer);
+    }
+    else
+    {
+      prop.Source->RenderOpaqueGeometry(frame.Renderer);
+    }
   }
+  this->ClampDepth(false);
   this->SetStage(SHADE);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowedShadingPass::BeginCatcherMasks()
+{
+  const bool apart = this->HasMasks && this->Catchers->NeedMasks();
+  if (apart)
+  {
+    this->Catchers->Drawn = vtkShadowCatchers::Round::Catchers;
+  }
+  return apart;
+}
+
+void vtkShadowedShadingPass::EndCatcherMasks()
+{
+  for (vtkShadowTechniquePass* technique : this->Techniques)
+  {
+    if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
+    {
+      this->Catchers->KeepMasks(technique, *technique->GetTextures());
+    }
+  }
+  this->Catchers->Drawn = vtkShadowCatchers::Round::Others;
+}
+
+void vtkShadowedShadingPass::DrawAllReceivers()
+{
+  this->Catchers->Drawn = vtkShadowCatchers::Round::All;
+}
+
+//------------------------------------------------------------------------------
+// A catcher may reach beyond the camera's clipping range: its bounds need not count in it. Nothing
+// of it is cut off then, and since it leaves no depth behind, nothing else is the worse for it.
+void vtkShadowedShadingPass::ClampDepth(bool clamped)
+{
+  if (clamped != this->DepthClamped)
+  {
+    this->DepthClamped = clamped;
+    (clamped ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -405,9 +478,14 @@ void vtkShadowedShadingPass::PlacePositions(std::string& vertexShader, std::stri
 
 //------------------------------------------------------------------------------
 std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader, bool isImpostor,
-  vtkAbstractMapper* mapper, vtkProp* prop) const
+  bool isCatcher, vtkAbstractMapper* mapper, vtkProp* prop) const
 {
   std::ostringstream code;
+  if (isCatcher)
+  {
+    code << "  vec2 shadowSurface = shadowCatcherSurface(ambientColor, diffuseColor, "
+            "specularColor);\n";
+  }
   if (isImpostor)
   {
     code
@@ -418,8 +496,15 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader,
   for (std::size_t i = 0; i < this->Plan.size(); ++i)
   {
     const LightPlan& light = this->Plan[i];
-    if (!this->Tells(i, mapper, prop) || !Declares(fragmentShader, ColorUniform(i)))
+    const std::string color = ColorUniform(i);
+    const bool isTold = this->Tells(i, mapper, prop);
+    if (!Declares(fragmentShader, color) || (!isTold && !isCatcher))
     {
+      continue;
+    }
+    if (!isTold)
+    {
+      code << "  vec3 " << color << " = shadowCatcherLight(" << color << ", 1.0);\n";
       continue;
     }
     const bool isMask = light.Technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK;
@@ -444,7 +529,10 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader,
     const std::string factor = light.Strength < 1.0f
       ? "mix(1.0, " + Visibility(i) + ", " + StrengthUniform(i) + ")"
       : Visibility(i);
-    code << "  vec3 " << ColorUniform(i) << " = " << ColorUniform(i) << " * " << factor << ";\n";
+    code << "  vec3 " << color << " = "
+         << (isCatcher ? "shadowCatcherLight(" + color + ", " + factor + ")"
+                       : color + " * " + factor)
+         << ";\n";
   }
   return code.str();
 }
@@ -493,6 +581,13 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
   const bool found = Mark(fragmentShader, DeclarationMark, "//VTK::Light::Dec") &&
     Mark(fragmentShader, LightMark, "//VTK::Light::Impl") &&
     Mark(fragmentShader, OutputMark, "//VTK::DepthPeeling::Impl");
+  if (found && this->IsCatcher(prop))
+  {
+    const std::string tag = "//VTK::Light::Impl";
+    // Its property's opacity of 0 would discard it.
+    vtkShaderProgram::Substitute(
+      fragmentShader, tag, "  opacity = 1.0;\n" + tag + "\n" + CatcherMark, false);
+  }
   if (!found)
   {
     if (!this->Complained)
@@ -531,14 +626,28 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   if (!isLit)
   {
     vtkShaderProgram::Substitute(fragmentShader, LightMark, "");
+    vtkShaderProgram::Substitute(fragmentShader, CatcherMark, "  gl_FragData[0] = vec4(0.0);\n");
     vtkShaderProgram::Substitute(fragmentShader, OutputMark, this->NoReceiver());
     return true;
   }
   const Surface surface = SurfaceOf(vertexShader, geometryShader, fragmentShader);
   const bool isImpostor = surface == Surface::Impostor;
+  const bool catches = this->CurrentStage == SHADE && this->IsCatcher(prop);
   vtkShaderProgram::Substitute(fragmentShader, LightMark,
-    this->CurrentStage == POSITIONS ? std::string()
-                                    : this->LightCode(fragmentShader, isImpostor, mapper, prop));
+    this->CurrentStage == POSITIONS
+      ? std::string()
+      : this->LightCode(fragmentShader, isImpostor, catches, mapper, prop));
+  if (catches)
+  {
+    // Physically based shading ends in a gamma of 2.2.
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const bool isCoded = actor && actor->GetProperty()->GetInterpolation() == VTK_PBR;
+    const std::string light = isCoded ? "pow(gl_FragData[0].rgb, vec3(2.2))" : "gl_FragData[0].rgb";
+    vtkShaderProgram::Substitute(fragmentShader, CatcherMark,
+      "  gl_FragData[0] = shadowCatch(" + light + ", shadowSurface, vertexVC);\n");
+    vtkShaderProgram::Substitute(
+      fragmentShader, DeclarationMark, vtkShadowCatcherFS + std::string(DeclarationMark));
+  }
   vtkShaderProgram::Substitute(
     fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor, mapper, prop));
   this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices, mapper, prop);
@@ -586,6 +695,12 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;
   }
+  const bool isCatcher = this->IsCatcher(prop);
+  this->ClampDepth(isCatcher);
+  if (isCatcher && this->CurrentStage != SHADE)
+  {
+    this->State->vtkglDepthMask(GL_TRUE);
+  }
   if (this->CurrentStage == DEPTHS)
   {
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
@@ -619,8 +734,14 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   }
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
-    program->SetUniformi(technique->GetSamplerName().c_str(), technique->GetTextures()->Unit());
+    const vtkShadowTextureArray* own = isCatcher ? this->Catchers->MasksOf(technique) : nullptr;
+    program->SetUniformi(
+      technique->GetSamplerName().c_str(), (own ? own : technique->GetTextures())->Unit());
     technique->SetLookupParameters(program, prop);
+  }
+  if (isCatcher)
+  {
+    this->Catchers->SetParameters(program, prop);
   }
   if (this->HasMasks)
   {
@@ -644,17 +765,25 @@ bool vtkShadowedShadingPass::IsReceiver(vtkProp* prop) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowedShadingPass::IsCatcher(vtkProp* prop) const
+{
+  return this->Receives.count(prop) != 0 ? this->Catchers->Has(prop)
+                                         : vtkShadowPass::IsShadowCatcher(prop);
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowedShadingPass::SetMaskParameters(
   vtkShaderProgram* program, vtkProp* prop, bool receives)
 {
-  // A mask knows the opaque receivers only.
+  // A mask knows the opaque receivers and the catchers only.
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool isTranslucent = actor && actor->IsRenderingTranslucentPolygonalGeometry();
+  const bool hasMask = !isTranslucent || this->IsCatcher(prop);
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     if (technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK)
     {
-      const bool isTold = receives && !isTranslucent && technique->HasVisibilityOf(prop);
+      const bool isTold = receives && hasMask && technique->HasVisibilityOf(prop);
       program->SetUniformf(
         ReceivesUniform(technique->GetSamplerName()).c_str(), isTold ? 1.0f : 0.0f);
     }
@@ -676,6 +805,13 @@ void vtkShadowedShadingPass::SetMaskParameters(
 vtkMTimeType vtkShadowedShadingPass::GetShaderStageMTime()
 {
   return this->ShaderStage.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedShadingPass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  this->Catchers->ReleaseMasks();
+  this->Superclass::ReleaseGraphicsResources(w);
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,7 @@
 #include "vtkShadowsPassesModule.h" // for export macro
 #include "vtkSmartPointer.h"        // for the keys attached to
 
+#include <memory>        // for the catchers
 #include <string>        // for std::string
 #include <unordered_map> // for what is known of a prop
 #include <vector>        // for the plan
@@ -33,6 +34,7 @@
 class vtkInformation;
 class vtkOpenGLState;
 class vtkShadowCasterCamera;
+class vtkShadowCatchers;
 struct vtkShadowFrame;
 namespace vtkshadows
 {
@@ -90,6 +92,12 @@ public:
     bool writesDepth = true);
   void DrawReceivers(
     const vtkShadowFrame& frame, Stage stage, const std::vector<std::size_t>* props = nullptr);
+  // After Attach. Where a shadow catcher may lie before another receiver, masks are made in two
+  // rounds: true, and the catchers alone are drawn; EndCatcherMasks keeps the masks of that round,
+  // and leaves the catchers out; at the end DrawAllReceivers.
+  bool BeginCatcherMasks();
+  void EndCatcherMasks();
+  void DrawAllReceivers();
   // The depth of what is opaque, of all props or of some, by the eye's view with a depth range of
   // its own.
   void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView& view,
@@ -109,6 +117,7 @@ public:
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   vtkMTimeType GetShaderStageMTime() override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
   vtkShadowedShadingPass();
@@ -120,7 +129,7 @@ private:
 
   std::string Declarations() const;
   bool Tells(std::size_t light, vtkAbstractMapper* mapper, vtkProp* prop) const;
-  std::string LightCode(const std::string& fragmentShader, bool isImpostor,
+  std::string LightCode(const std::string& fragmentShader, bool isImpostor, bool isCatcher,
     vtkAbstractMapper* mapper, vtkProp* prop) const;
   std::string OutputCode(const std::string& fragmentShader, bool isImpostor,
     vtkAbstractMapper* mapper, vtkProp* prop) const;
@@ -131,6 +140,8 @@ private:
   void AttachTo(vtkProp* prop, bool receives);
   void SetStage(Stage stage);
   bool IsReceiver(vtkProp* prop) const;
+  bool IsCatcher(vtkProp* prop) const;
+  void ClampDepth(bool clamped);
   bool DrawsDepthAlone() const
   {
     return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS;
@@ -157,6 +168,8 @@ private:
   bool MaskIsPixels = true;
   int ParallelEye = 0;
   vtkNew<vtkShadowCasterCamera> CasterCamera;
+  std::unique_ptr<vtkShadowCatchers> Catchers;
+  bool DepthClamped = false;
 };
 
 #endif

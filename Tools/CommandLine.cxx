@@ -59,8 +59,10 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     ->type_name("WxH")
     ->capture_default_str();
   app
-    .add_option(
-      "--floor", raw.floor, "auto (under the scene), none, or NX,NY,NZ,D: the plane n.x = D")
+    .add_option("--floor", raw.floor,
+      "auto (under the scene), none, catcher (as auto, but it shows nothing but shadow, and "
+      "pictures "
+      "are transparent, with alpha), or NX,NY,NZ,D: the plane n.x = D")
     ->type_name("SPEC")
     ->capture_default_str();
   app.add_option("--resolution", raw.resolution, "texels on the longer side of a depth map")

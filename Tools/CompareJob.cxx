@@ -49,7 +49,7 @@ public:
     this->progress.Begin("rendering " + technique);
     this->stage.UseTechnique(technique);
     this->stage.Window().Render();
-    outputs.Add(folder / (technique + ".png"), PngOfBytes(this->stage.Window().Picture()));
+    outputs.Add(folder / (technique + ".png"), PngOfBytes(this->stage.Picture()));
 
     std::vector<ReportRow> rows;
     for (std::size_t light = 0; light < this->stage.Lights().size(); ++light)
@@ -90,7 +90,7 @@ std::string UnshadowedPng(Stage& stage)
 {
   stage.ShowShadows(false);
   stage.Window().Render();
-  std::string png = PngOfBytes(stage.Window().Picture());
+  std::string png = PngOfBytes(stage.Picture());
   stage.ShowShadows(true);
   return png;
 }

@@ -7,6 +7,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkShadowMatte.h>
 #include <vtkTextureObject.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -79,6 +80,15 @@ vtkSmartPointer<vtkImageData> OffscreenWindow::Picture()
   grab->Update();
   FailAtVtkError("picture");
   return grab->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> OffscreenWindow::TransparentPicture()
+{
+  vtkNew<vtkShadowMatte> matte;
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  matte->Grab(this->window, picture);
+  FailAtVtkError("picture");
+  return picture;
 }
 
 std::string OffscreenWindow::OpenGLRenderer()

@@ -30,6 +30,8 @@ public:
 
   // The last frame, RGB bytes.
   vtkSmartPointer<vtkImageData> Picture();
+  // RGBA bytes over no background at all; draws frames of its own.
+  vtkSmartPointer<vtkImageData> TransparentPicture();
 
   // Of this driver: texels along a side of a texture, and how it calls itself.
   int LargestTexture() const { return this->largestTexture; }

@@ -9,7 +9,7 @@ class vtkImageData;
 namespace vtkshadows
 {
 
-// `image` has bytes, one component (grey) or three (RGB), origin bottom-left.
+// `image` has bytes, one component (grey), three (RGB) or four (RGBA), origin bottom-left.
 std::string PngOfBytes(vtkImageData* image);
 
 // `visibility` has one float, 0 to 1, origin bottom-left: grey, 255 times it, rounded.

@@ -27,6 +27,12 @@ std::filesystem::path MaskPath(const std::filesystem::path& path, std::size_t li
 OutputFiles PrepareOutputs(const Options& options)
 {
   OutputFiles outputs(options.inputs);
+  if (options.stage.floor.kind == FloorSpec::Kind::Catcher &&
+    std::filesystem::path(options.output).extension() != ".png")
+  {
+    throw Failure("-o", options.output, "is no .png file, which a picture with alpha must be",
+      "give it a name that ends in .png, or another --floor than catcher");
+  }
   outputs.RequireFile("-o", options.output, ".png");
   if (options.visibility)
   {
@@ -81,7 +87,7 @@ void RunRender(const Options& options, Progress& progress)
   stage->UseTechnique(options.techniques.front());
   stage->ShowDebugView(options.debugView);
   stage->Window().Render();
-  outputs.Add(options.output, PngOfBytes(stage->Window().Picture()));
+  outputs.Add(options.output, PngOfBytes(stage->Picture()));
   stage->ShowDebugView("none"); // which would cost time in the figures
   for (std::size_t light = 0; options.visibility && light < stage->Lights().size(); ++light)
   {

@@ -178,11 +178,15 @@ CameraSpec ParseCamera(const std::string& text)
 
 FloorSpec ParseFloor(const std::string& text)
 {
-  const SpecText spec("--floor", text, "write auto, none or NX,NY,NZ,D (the plane n.x = D)");
+  const SpecText spec(
+    "--floor", text, "write auto, none, catcher or NX,NY,NZ,D (the plane n.x = D)");
   FloorSpec floor;
-  if (text == "auto" || text == "none")
+  const std::map<std::string, FloorSpec::Kind> named = { { "auto", FloorSpec::Kind::Auto },
+    { "catcher", FloorSpec::Kind::Catcher }, { "none", FloorSpec::Kind::None } };
+  const auto known = named.find(text);
+  if (known != named.end())
   {
-    floor.kind = text == "auto" ? FloorSpec::Kind::Auto : FloorSpec::Kind::None;
+    floor.kind = known->second;
     return floor;
   }
 

@@ -38,7 +38,8 @@ struct FloorSpec
 {
   enum class Kind
   {
-    Auto, // under the scene
+    Auto,    // under the scene
+    Catcher, // the same, but it shows nothing but shadow, and pictures have alpha
     None,
     Plane // the points x with normal.x = offset
   };

@@ -6,14 +6,15 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDepthShadowMapPass.h>
+#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkPlanarShadowPass.h>
-#include <vtkPlaneSource.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRayCastShadowPass.h>
 #include <vtkRenderer.h>
+#include <vtkShadowFloor.h>
 #include <vtkShadowPass.h>
 #include <vtkStencilShadowVolumePass.h>
 
@@ -30,13 +31,11 @@ constexpr double FloorColor[3] = { 0.96, 0.93, 0.87 };
 // What shadow leaves of a surface's colour: dark, but not black.
 constexpr double Ambient = 0.28;
 
-void AddActor(vtkRenderer* renderer, vtkPolyData* mesh, const double color[3])
+// Over which share of a catcher, from its rim, its shadow rises to its whole strength.
+constexpr double CatcherFade = 0.25;
+
+void AddActor(vtkRenderer* renderer, vtkActor* actor, const double color[3])
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(mesh);
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(color[0], color[1], color[2]);
   property->SetAmbient(Ambient);
@@ -115,22 +114,40 @@ void Stage::AddMeshes(const std::vector<Mesh>& meshes)
   const std::size_t colors = sizeof(MeshColors) / sizeof(MeshColors[0]);
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    AddActor(this->renderer, meshes[i].triangles, MeshColors[i % colors]);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(meshes[i].triangles);
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    AddActor(this->renderer, actor, MeshColors[i % colors]);
     this->numberOfTriangles += meshes[i].triangles->GetNumberOfPolys();
   }
 }
 
-void Stage::AddFloor(const FloorSpec& floor)
+void Stage::AddFloor(const FloorSpec& spec)
 {
-  const FloorCorners corners = PlaceFloor(floor, this->extent, this->axes);
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->SetOrigin(corners.origin.x, corners.origin.y, corners.origin.z);
-  plane->SetPoint1(corners.end1.x, corners.end1.y, corners.end1.z);
-  plane->SetPoint2(corners.end2.x, corners.end2.y, corners.end2.z);
-  plane->Update();
-  AddActor(this->renderer, plane->GetOutput(), FloorColor);
+  const bool isGiven = spec.kind == FloorSpec::Kind::Plane;
+  const glm::dvec3 normal = isGiven ? spec.normal : this->axes.up;
+  vtkNew<vtkShadowFloor> floor;
+  floor->SetNormal(normal.x, normal.y, normal.z);
+  if (!(this->extent.Size() > 0.0))
+  {
+    return; // a point has no floor
+  }
+  isGiven ? floor->FitAt(this->renderer, spec.offset) : floor->Fit(this->renderer);
+  this->catches = spec.kind == FloorSpec::Kind::Catcher;
+  if (this->catches)
+  {
+    vtkShadowPass::SetShadowCatcher(floor->GetActor(), true);
+    vtkShadowPass::SetCatcherFade(floor->GetActor(), CatcherFade);
+  }
+  AddActor(this->renderer, floor->GetActor(), FloorColor);
   this->numberOfTriangles += 2;
+}
+
+vtkSmartPointer<vtkImageData> Stage::Picture()
+{
+  return this->catches ? this->window.TransparentPicture() : this->window.Picture();
 }
 
 void Stage::AddLight(const LightSpec& spec)

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkLight;
 class vtkRenderer;
 class vtkShadowPass;
@@ -57,6 +58,9 @@ public:
   // Shadows on or off, as a user turns them: by the renderer's pass.
   void ShowShadows(bool shown);
 
+  // What the window shows, rendered: RGB, or RGBA where the floor is a catcher.
+  vtkSmartPointer<vtkImageData> Picture();
+
   vtkIdType NumberOfTriangles() const; // of the meshes and the floor
 
 private:
@@ -74,6 +78,7 @@ private:
   SceneAxes axes;
   SceneExtent extent;
   vtkIdType numberOfTriangles = 0;
+  bool catches = false;
 };
 
 }

@@ -3,6 +3,7 @@
 #include "MeshLoader.h"
 
 #include <vtkPolyData.h>
+#include <vtkShadowFloor.h>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -24,11 +25,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double CameraAzimuth = 25.0;
 constexpr double CameraElevation = 27.0;
 constexpr double FilledShare = 0.68;
-
-// The floor's width over the scene's, and how far it lies below the lowest point, as a share of the
-// scene's size: less than a pixel, enough that a flat bottom does not tie with it.
-constexpr double FloorWidth = 3.0;
-constexpr double FloorGap = 5e-4;
 
 template <class Visit>
 void ForEachPoint(const std::vector<Mesh>& meshes, Visit visit)
@@ -52,18 +48,6 @@ glm::dvec3 Across(const glm::dvec3& axis, const glm::dvec3& wanted, const glm::d
   const bool along = std::abs(glm::dot(axis, wanted)) > 0.9;
   const glm::dvec3 start = along ? otherwise : wanted;
   return glm::normalize(start - glm::dot(start, axis) * axis);
-}
-
-glm::dvec3 NearestAxis(const glm::dvec3& vector)
-{
-  int largest = 0;
-  for (int i = 1; i < 3; ++i)
-  {
-    largest = std::abs(vector[i]) > std::abs(vector[largest]) ? i : largest;
-  }
-  glm::dvec3 axis(0.0);
-  axis[largest] = vector[largest] < 0.0 ? -1.0 : 1.0;
-  return axis;
 }
 
 bool IsGltf(const Mesh& mesh)
@@ -108,7 +92,7 @@ SceneAxes ChooseAxes(const std::optional<glm::dvec3>& up, const std::optional<Ca
   }
   else if (camera)
   {
-    axes.up = NearestAxis(camera->up);
+    vtkShadowFloor::NearestAxis(&camera->up.x, &axes.up.x);
   }
   else if (std::all_of(meshes.begin(), meshes.end(), IsGltf))
   {
@@ -173,31 +157,6 @@ LightSpec DefaultLight(const SceneAxes& axes)
   LightSpec light;
   light.direction = glm::normalize(0.55 * axes.right + 0.5 * axes.forward - axes.up);
   return light;
-}
-
-FloorCorners PlaceFloor(const FloorSpec& floor, const SceneExtent& extent, const SceneAxes& axes)
-{
-  const double halfWidth = 0.5 * FloorWidth * extent.Size();
-  glm::dvec3 side1 = axes.right;
-  glm::dvec3 side2 = axes.forward;
-  glm::dvec3 center = extent.center;
-  if (floor.kind == FloorSpec::Kind::Plane)
-  {
-    side1 = Across(floor.normal, axes.right, axes.forward);
-    side2 = glm::cross(floor.normal, side1);
-    center += (floor.offset - glm::dot(center, floor.normal)) * floor.normal;
-  }
-  else
-  {
-    const double height = extent.low.z - FloorGap * extent.Size();
-    center += (height - glm::dot(center, axes.up)) * axes.up;
-  }
-
-  FloorCorners corners;
-  corners.origin = center - halfWidth * (side1 + side2);
-  corners.end1 = corners.origin + 2.0 * halfWidth * side1;
-  corners.end2 = corners.origin + 2.0 * halfWidth * side2;
-  return corners;
 }
 
 }

@@ -1,5 +1,5 @@
-// Where the floor lies, where the camera stands and where the light comes from, when the user does
-// not say: mathematics on the meshes' points, in double.
+// Which way is up, where the camera stands and where the light comes from, when the user does not
+// say: mathematics on the meshes' points, in double.
 #ifndef vtkshadows_View_h
 #define vtkshadows_View_h
 
@@ -45,17 +45,6 @@ CameraSpec FitCamera(const std::vector<Mesh>& meshes, const SceneAxes& axes, dou
 
 // From above and the left, a little from the front.
 LightSpec DefaultLight(const SceneAxes& axes);
-
-// The floor's rectangle: a corner and the ends of the two sides that meet there; world.
-struct FloorCorners
-{
-  glm::dvec3 origin{ 0.0 };
-  glm::dvec3 end1{ 0.0 };
-  glm::dvec3 end2{ 0.0 };
-};
-
-// `floor` is not None. Three times as wide as the scene, centred under it.
-FloorCorners PlaceFloor(const FloorSpec& floor, const SceneExtent& extent, const SceneAxes& axes);
 
 }
 

@@ -7,6 +7,11 @@
 >>> vtkshadows.error(renderer).mismatch_percent  # against ray-cast truth
 0.017
 
+A floor that shows nothing but the shadow grounds a figure, on a page of any colour:
+
+>>> vtkshadows.add_floor(renderer, shadow="ray-cast")
+>>> vtkshadows.screenshot(window, "figure.png")  # transparent
+
 What the technique "stencil-volume" does can be looked at:
 
 >>> vtkshadows.enable(renderer, "stencil-volume", debug_view="volumes")
@@ -21,7 +26,10 @@ The classes underneath are in vtkshadows.vtkShadowsPasses (vtkShadowPass is what
 Shadows as geometry, without rendering: vtkShadowSilhouetteFilter and vtkShadowVolumeFilter.
 """
 import operator
+import os
 import re
+import sys
+import warnings
 from dataclasses import dataclass, field
 from typing import Any, List, Optional, Union
 
@@ -35,34 +43,45 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
     vtkLight,
     vtkProp,
     vtkRenderer,
     vtkRenderPass,
     vtkRenderWindow,
+    vtkWindowToImageFilter,
 )
 
 from .vtkShadowsFilters import vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
 from .vtkShadowsPasses import (
     vtkPlanarShadowPass,
     vtkShadowErrorMeasure,
+    vtkShadowFloor,
+    vtkShadowMatte,
     vtkShadowPass,
     vtkStencilShadowVolumePass,
 )
 
 __all__ = [
     "ShadowError",
+    "add_floor",
     "disable",
     "enable",
     "error",
+    "screenshot",
     "set_casts_shadows",
     "set_receives_shadows",
+    "set_shadow_catcher",
     "techniques",
     "visibility",
     "volume_counts",
     "vtkPlanarShadowPass",
     "vtkShadowErrorMeasure",
+    "vtkShadowFloor",
+    "vtkShadowMatte",
     "vtkShadowPass",
     "vtkShadowSilhouetteFilter",
     "vtkShadowVolumeFilter",
@@ -305,6 +324,283 @@ def set_receives_shadows(prop: vtkProp, receives: bool) -> None:
     vtkShadowPass.SetReceivesShadows(_check_prop(prop), bool(receives))
 
 
+def set_shadow_catcher(
+    actor: vtkActor,
+    catches: bool = True,
+    color: Any = None,
+    strength: Optional[float] = None,
+    fade: Optional[float] = None,
+) -> None:
+    """Make `actor` show nothing but the shadow that falls on it, or an ordinary actor again.
+
+    A catcher always receives, by every technique, and never casts. Its property gets the opacity 0, so
+    that without shadows it shows nothing at all, and picking passes through it; made ordinary again it
+    is opaque. Its property must be its own. What its alpha is: see vtkShadowPass::SetShadowCatcher.
+
+    Parameters
+    ----------
+    color : of the shadow, red, green and blue from 0 to 1. Left out, here as below: as it was, at first
+        black.
+    strength : 0 (nothing) to 1, what the shadow's alpha is multiplied by; at first 1.
+    fade : 0 to 1, share of the way from the rim to the middle on which the shadow rises to its whole
+        strength; at first 0.
+
+    Raises
+    ------
+    ValueError : an argument is out of range; nothing was changed.
+
+    Example
+    -------
+    >>> vtkshadows.set_shadow_catcher(ground_actor, strength=0.6)
+    """
+    if not isinstance(actor, vtkActor):
+        raise ValueError(f"{_kind(actor)} is not a vtkActor; give an actor")
+    _set_catcher(actor, catches, *_check_catcher(color, strength, fade))
+
+
+def add_floor(
+    renderer: Any,
+    shadow: Optional[str] = None,
+    catcher: bool = True,
+    normal: Any = "auto",
+    offset: Optional[float] = None,
+    size: float = 3.0,
+    color: Any = None,
+    strength: Optional[float] = None,
+    fade: Optional[float] = None,
+    light: bool = True,
+) -> vtkActor:
+    """Ground a figure: add a floor under what `renderer` shows, now, and give its lights shadows.
+
+    Called again, it fits anew and changes the floor that it made.
+
+    Parameters
+    ----------
+    shadow : one of techniques(), which every light then has, as by `enable`. Left out: shadows are left
+        as they are; without any, a floor that catches shows nothing.
+    catcher : True (default): it shows nothing but the shadow; see `set_shadow_catcher`. False: a plain
+        floor, that casts and receives as any actor does.
+    normal : the direction that it faces, three numbers (world). "auto" (default): the axis nearest to
+        the view-up of the renderer's camera.
+    offset : it lies in the plane n.x = offset (world units, n the normal of length 1). Left out: under
+        the lowest point, by a 2000th of the scene's size.
+    size : above 0 (3): side of the square, in units of the longest side of the scene's box.
+    color : red, green and blue from 0 to 1: of the shadow (black), or of a plain floor (light grey).
+    strength : 0 to 1 (1): what the shadow's alpha is multiplied by. Only of a catcher.
+    fade : 0 to 1 (0.25): share of the way from the rim to the middle on which the shadow rises to its
+        whole strength. Only of a catcher.
+    light : True (default): if `shadow` is given and no light is on but headlights, which cast no shadow
+        that is seen, add a directional light from above and left of the camera, and turn the headlights
+        down to a third. False: leave the lights, with a warning if there is none that casts.
+
+    A catcher does not count in the renderer's bounds (UseBoundsOff), so that resetting the camera frames
+    the figure; nor does the camera's clipping range cut it. A plain floor counts.
+
+    Returns
+    -------
+    The floor's actor.
+
+    Raises
+    ------
+    ValueError : an argument is unknown or out of range; nothing was changed.
+    RuntimeError : there is nothing to fit a floor to; VTK's message.
+
+    Example
+    -------
+    >>> floor = vtkshadows.add_floor(renderer, shadow="depth-map", strength=0.7)
+    """
+    renderer = _find_renderer(renderer)
+    if shadow is not None:
+        _check_technique(shadow)
+    if not catcher and (strength is not None or fade is not None):
+        raise ValueError("strength and fade are a catcher's; leave them out where catcher is False")
+    size = _number("size", size, 0)
+    if size == 0:
+        raise ValueError("size: 0 is out of range; give more than 0")
+    if offset is not None:
+        offset = _finite("offset", offset)
+    normal = (0.0, 0.0, 0.0) if isinstance(normal, str) and normal == "auto" else _direction(normal)
+    color, strength, fade = _check_catcher(color, strength, fade)
+
+    floor = getattr(renderer, "_vtkshadows_floor", None) or vtkShadowFloor()
+    floor.SetNormal(normal)
+    floor.SetSize(size)
+    with _VtkErrors(None, floor) as errors:
+        errors.require(floor.Fit(renderer) if offset is None else floor.FitAt(renderer, offset))
+    renderer._vtkshadows_floor = floor  # to be found again
+    actor = floor.GetActor()
+    if catcher:
+        _set_catcher(
+            actor,
+            True,
+            (0.0, 0.0, 0.0) if color is None else color,
+            1.0 if strength is None else strength,
+            0.25 if fade is None else fade,
+        )
+    else:
+        _set_catcher(actor, False)
+        actor.GetProperty().SetColor((0.9, 0.9, 0.9) if color is None else color)
+    actor.SetUseBounds(not catcher)
+    if not renderer.HasViewProp(actor):
+        renderer.AddActor(actor)
+
+    if shadow is not None:
+        enable(renderer, shadow)
+    if shadow not in (None, "none") and not _has_casting_light(renderer):
+        if light:
+            _add_key_light(renderer, _normal_of(actor))
+        else:
+            warnings.warn(
+                "this renderer has no light but headlights, which cast no shadow that is seen: add a "
+                "vtkLight, or leave light=False out",
+                stacklevel=2,
+            )
+    return actor
+
+
+def screenshot(window: Any, path: Any, transparent: bool = True) -> None:
+    """Render, and write the picture as a PNG: with alpha, or as the window shows it.
+
+    Transparent is what no prop covers, whatever the background. The colour is straight, not multiplied
+    by alpha, and right over a page of any colour. It takes two frames, over black and over white; see
+    vtkShadowMatte.
+
+    Parameters
+    ----------
+    window : a vtkRenderWindow, a renderer in one, or a PyVista plotter.
+    path : the file, whose name must end in .png.
+
+    Raises
+    ------
+    ValueError : no window, or another format: of the usual ones only PNG keeps alpha and loses nothing.
+    OSError : the file cannot be written.
+    RuntimeError : VTK refused; its message.
+
+    Example
+    -------
+    >>> vtkshadows.screenshot(window, "figure.png")
+    """
+    window = _find_window(window)
+    path = os.fspath(path)
+    if os.path.splitext(path)[1].lower() != ".png":
+        raise ValueError(f"path: {path!r} is no .png file; a picture with alpha must be one")
+    if transparent:
+        image, matte = vtkImageData(), vtkShadowMatte()
+        with _VtkErrors(None, matte) as errors:
+            errors.require(matte.Grab(window, image))
+    else:
+        window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(window)
+        grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()
+        grab.Update()
+        image = grab.GetOutput()
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.WriteToMemoryOn()
+    writer.Write()
+    with open(path, "wb") as file:
+        file.write(vtk_to_numpy(writer.GetResult()).tobytes())
+
+
+# --- Floors and catchers ---------------------------------------------------------------------------
+
+
+def _check_catcher(color, strength, fade):
+    return (
+        None if color is None else [_number("color", each, 0, 1) for each in _vector("color", color)],
+        None if strength is None else _number("strength", strength, 0, 1),
+        None if fade is None else _number("fade", fade, 0, 1),
+    )
+
+
+def _set_catcher(actor, catches, color=None, strength=None, fade=None):
+    vtkShadowPass.SetShadowCatcher(actor, bool(catches))
+    if not catches:
+        return
+    if color is not None:
+        vtkShadowPass.SetCatcherColor(actor, *color)
+    if strength is not None:
+        vtkShadowPass.SetCatcherStrength(actor, strength)
+    if fade is not None:
+        vtkShadowPass.SetCatcherFade(actor, fade)
+
+
+def _vector(name: str, value: Any) -> List[Any]:
+    try:
+        numbers = list(value)
+    except TypeError:
+        numbers = []
+    if len(numbers) != 3 or isinstance(value, str):
+        raise ValueError(f"{name}: {value!r} is not three numbers")
+    return numbers
+
+
+def _finite(name: str, value: Any) -> float:
+    largest = sys.float_info.max
+    try:
+        return _number(name, value, -largest, largest)
+    except ValueError:
+        raise ValueError(f"{name}: {value!r} is not a finite number") from None
+
+
+def _direction(value: Any) -> List[float]:
+    if isinstance(value, str):
+        raise ValueError(f"normal: {value!r} is not known; give 'auto' or three numbers")
+    direction = [_finite("normal", each) for each in _vector("normal", value)]
+    if not any(direction):
+        raise ValueError("normal: (0, 0, 0) is no direction; give the way the floor faces")
+    return direction
+
+
+def _has_casting_light(renderer):
+    return any(not each.LightTypeIsHeadlight() for each in _switched_on(renderer))
+
+
+def _normal_of(actor):
+    matrix = actor.GetUserMatrix()
+    normal = numpy.array([matrix.GetElement(row, 2) for row in range(3)])
+    return normal / numpy.linalg.norm(normal)
+
+
+def _add_key_light(renderer, up):
+    """From above and left of the camera, a little from before it; headlights are left to fill."""
+    if renderer.GetAutomaticLightCreation() and not _switched_on(renderer):
+        headlight = vtkLight()  # as VTK does in the first frame
+        headlight.SetLightTypeToHeadlight()
+        renderer.AddLight(headlight)
+    for each in _switched_on(renderer):
+        each.SetIntensity(each.GetIntensity() / 3)
+    # Not the renderer's own if it has none yet: VTK resets the one that it makes in its first frame.
+    camera = renderer.GetActiveCamera() if renderer.IsActiveCameraCreated() else vtkCamera()
+    back, above = (numpy.array(v) for v in (camera.GetViewPlaneNormal(), camera.GetViewUp()))
+    left = numpy.cross(back, above)
+    left = left - left.dot(up) * up
+    if numpy.linalg.norm(left) < 1e-6:
+        left = numpy.cross(up, back)  # a camera that lies on its side
+    left /= numpy.linalg.norm(left)
+    front = numpy.cross(up, left)
+    front *= 1 if front.dot(back) >= 0 else -1
+    light = vtkLight()
+    light.SetPosition(*(up + 0.55 * left + 0.5 * front))
+    light.SetFocalPoint(0, 0, 0)
+    light.SetIntensity(0.8)
+    renderer.AddLight(light)
+
+
+def _find_window(thing: Any) -> vtkRenderWindow:
+    if isinstance(thing, vtkRenderWindow):
+        return thing
+    if isinstance(thing, vtkRenderer):
+        window = thing.GetRenderWindow()
+    else:
+        window = getattr(thing, "render_window", None) or getattr(thing, "ren_win", None)
+    if not isinstance(window, vtkRenderWindow):
+        raise ValueError(f"{_kind(thing)} is no vtkRenderWindow and is in none; give the window itself")
+    return window
+
+
 # --- Settings of enable() --------------------------------------------------------------------------
 
 
@@ -531,12 +827,16 @@ def _require_shadow_pass(renderer: vtkRenderer) -> vtkShadowPass:
     return shadows
 
 
+def _switched_on(renderer: vtkRenderer) -> List[vtkLight]:
+    return [each for each in renderer.GetLights() if each.GetSwitch()]
+
+
 def _find_light(renderer: vtkRenderer, light: Union[vtkLight, int]) -> vtkLight:
     if isinstance(light, vtkLight):
         if not renderer.GetLights().IsItemPresent(light):
             raise ValueError("light: not one of this renderer's; add it with AddLight")
         return light
-    switched_on = [each for each in renderer.GetLights() if each.GetSwitch()]
+    switched_on = _switched_on(renderer)
     if not switched_on:
         raise ValueError(
             "this renderer has no light switched on; add one, or render once to get VTK's default"
@@ -571,21 +871,21 @@ def _image_to_numpy(image: vtkImageData) -> numpy.ndarray:
 
 
 class _VtkErrors:
-    """While it lasts, errors of a vtkShadowPass (and of `others`) are collected instead of displayed.
+    """While it lasts, errors of a vtkShadowPass, if any, and of `others` are collected, not displayed.
 
     At its end the first one is raised as a RuntimeError.
     """
 
-    def __init__(self, shadows: vtkShadowPass, *others: Any):
-        parts = (
-            shadows,
-            shadows.GetDepthShadowMapPass(),
-            shadows.GetPlanarShadowPass(),
-            shadows.GetStencilShadowVolumePass(),
-            shadows.GetRayCastShadowPass(),
-            shadows.GetScene(),
-            *others,
-        )
+    def __init__(self, shadows: Optional[vtkShadowPass], *others: Any):
+        parts = [shadows, *others]
+        if shadows is not None:
+            parts += [
+                shadows.GetDepthShadowMapPass(),
+                shadows.GetPlanarShadowPass(),
+                shadows.GetStencilShadowVolumePass(),
+                shadows.GetRayCastShadowPass(),
+                shadows.GetScene(),
+            ]
         self._objects = [each for each in parts if each is not None]
         self._messages: List[str] = []
 

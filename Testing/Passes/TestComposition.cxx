@@ -285,6 +285,24 @@ TEST_F(Composition, UnderSSAA)
     static_cast<double>(CountDifferent(plain, this->Render())), 0.0);
 }
 
+// In a framebuffer of another pass, VTK's own blending of translucent props loses the depth.
+TEST_F(Composition, TranslucentPropsUnderSSAA)
+{
+  AddPane(this->Renderer, 0.5);
+  AddPane(this->Renderer, -0.5)->SetPosition(3.0, 0.5, 0.0); // beneath the floor: hidden
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSSAAPass> ssaa;
+  ssaa->SetDelegatePass(steps);
+  this->Renderer->SetPass(ssaa);
+  const Frame plain = this->Render();
+  ssaa->SetDelegatePass(this->Shadows);
+  this->Shadows->SetTechnique("none");
+  Check("pixels changed by the pass with lights of \"none\"",
+    static_cast<double>(CountDifferent(plain, this->Render())), 0.0);
+  this->Shadows->SetTechnique("depth-map");
+  this->CheckSamples("under SSAA", this->Render(), plain, this->Renderer);
+}
+
 TEST_F(Composition, OverOtherPasses)
 {
   vtkNew<vtkRenderStepsPass> steps;

@@ -4,6 +4,7 @@
 #include "ShadowTest.h"
 #include "TestScenes.h"
 
+#include <vtkActorCollection.h>
 #include <vtkImageData.h>
 #include <vtkImageDifference.h>
 #include <vtkImageShiftScale.h>
@@ -149,4 +150,19 @@ TEST_F(Regression, AreaLightByRayCast)
   this->Shadows->SetTechnique("ray-cast");
   this->Shadows->SetLightRadius(lamp, 0.6);
   this->CheckPicture("AreaLightByRayCast");
+}
+
+// Nothing of the floor but its shadows, which fade toward the rim.
+TEST_F(Regression, ShadowCatcher)
+{
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 40.0)->SetColor(1.0, 0.8, 0.6);
+  AddSun(this->Renderer, -Toward(-70.0, 30.0))->SetColor(0.3, 0.5, 0.9);
+  this->AddFillLight();
+  vtkActorCollection* actors = this->Renderer->GetActors();
+  actors->InitTraversal();
+  vtkActor* floor = actors->GetNextActor(); // the still life's first
+  vtkShadowPass::SetCatcherColor(floor, 0.1, 0.05, 0.3);
+  vtkShadowPass::SetCatcherFade(floor, 0.8);
+  this->Shadows->SetTechnique("stencil-volume");
+  this->CheckPicture("ShadowCatcher");
 }

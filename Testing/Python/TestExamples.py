@@ -1,5 +1,5 @@
 """The examples run: the first ones write the same picture, and it has a shadow; the volume is a file; the
-picture that explains differs from the plain one."""
+picture that explains differs from the plain one; the figure on a page is transparent around it."""
 import pathlib
 import re
 import subprocess
@@ -10,8 +10,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-PYTHON_EXAMPLE, CXX_EXAMPLE, VOLUME_EXAMPLE, STENCIL_EXAMPLE = sys.argv[1:5]
-FOLDER = pathlib.Path(sys.argv[5])
+PYTHON_EXAMPLE, CXX_EXAMPLE, VOLUME_EXAMPLE, STENCIL_EXAMPLE, PAGE_EXAMPLE = sys.argv[1:6]
+FOLDER = pathlib.Path(sys.argv[6])
 
 
 def read_png(path):
@@ -72,6 +72,16 @@ class TestExamples(unittest.TestCase):
         different = int((plain != explained).any(axis=2).sum())
         print(f"pixels that differ: got {different}, expected 1000 or more")
         self.assertGreaterEqual(different, 1000)
+
+    def test_figure_on_a_page(self):
+        file = FOLDER / "figure_on_a_page.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, PAGE_EXAMPLE, str(file))
+        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", ""))
+        alpha = read_png(file)[..., 3]
+        shares = [100 * float(part.mean()) for part in (alpha == 0, alpha % 255 > 0, alpha == 255)]
+        print(f"transparent, shadow, figure: got {shares} %, expected 50, 3 and 10 or more")
+        self.assertTrue(shares[0] >= 50 and shares[1] >= 3 and shares[2] >= 10)
 
 
 if __name__ == "__main__":

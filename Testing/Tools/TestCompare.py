@@ -54,6 +54,15 @@ for row in rows:
     if row["technique"] == "stencil-volume":
         check(name + "mismatch, %, of what is exact to the pixel", row["mismatch_percent"], 0, 0.01)
 
+# A floor that catches: pictures with alpha, and the same measure.
+succeed("compare", "plate.off", "-o", "caught", "--size", "240x180", "--frames", 1, "--floor", "catcher",
+        "--technique", "depth-map", "--up", "0,1,0", *LIGHTS[:2])  # fmt: skip
+for name in ("unshadowed", "depth-map"):
+    check(f"channels of {name} with a catcher", Image(f"caught/{name}.png").channels, 4)
+with open("caught/comparison.json") as file:
+    row = json.load(file)[0]
+check("receivers of a catcher", row["receiver_pixels"] > 5000, True)
+
 table = [line.split() for line in out.splitlines()]
 for name in techniques:
     check(f"lines of {name} in the table", sum(line[:1] == [name] for line in table), 2)

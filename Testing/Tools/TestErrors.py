@@ -127,6 +127,8 @@ for angle in ["0", "180", "-30"]:
 refused_option(["4 parts"], "--camera", "9,0,0:0,0,0", "PX,PY,PZ")
 refused_option(["no normal"], "--floor", "0,0,0,1", "not zero")
 refused_option(["4 numbers"], "--floor", "carpet", "auto, none")
+refused(["-o picture.jpg", "alpha", "ends in .png"], "render", "mesh.off", "-o", "picture.jpg",
+        "--floor", "catcher")  # fmt: skip
 refused_option(["no up"], "--up", "0,0,0", "not zero")
 
 # --- Command lines that cannot be read ---

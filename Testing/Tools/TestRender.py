@@ -4,7 +4,7 @@ import json
 import math
 import os
 
-from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate
+from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate, write_tetrahedron
 
 WIDTH, HEIGHT = 200, 150
 EYE = 20.0  # above the floor, looking down; the picture's top is +y
@@ -121,5 +121,22 @@ check("stdout under --quiet", succeed("render", *SCENE, "-o", "quiet.png", "--qu
 succeed("render", "plate.off", *VIEW, "--floor", "none", "--light", light,
         "-o", "alone.png", "--visibility", "alone-mask.png")  # fmt: skip
 check("mask without a floor", Image("alone-mask-0.png").count((255,)), WIDTH * HEIGHT)
+
+# A catcher: the figure and its shadow, and nothing else. What the shadow takes of a floor's brightness is
+# what is not ambient, 0.72 of white at 1/sqrt(3). It reaches one unit to the left and down.
+write_tetrahedron("tetrahedron.off")
+taken = 0.72 / math.sqrt(3)
+for technique in ("depth-map", "stencil-volume", "ray-cast"):
+    succeed("render", "tetrahedron.off", *VIEW, "--floor", "catcher", "--light", "directional:-1,-1,-1",
+            "--technique", technique, "-o", "caught.png", "--visibility", "caught-mask.png")  # fmt: skip
+    caught = Image("caught.png")
+    check(f"{technique}: channels", caught.channels, 4)
+    check(f"{technique}: background", caught.rows[0][0], (0, 0, 0, 0))
+    check(f"{technique}: alpha of the figure", mask_at(caught, 0.2, 0.2) > 0, True)
+    column, row = pixel(-0.3, -0.3)
+    check(f"{technique}: colour of the shadow", caught.rows[row][column][:3], (0, 0, 0))
+    check(f"{technique}: alpha of the shadow", caught.rows[row][column][3],
+          255 * taken / (0.28 + taken), 1)  # fmt: skip
+    check(f"{technique}: mask in the shadow", mask_at(Image("caught-mask-0.png"), -0.3, -0.3), 0)
 
 finish()
