@@ -1,9 +1,12 @@
 #include "vtkPlanarShadowCanvas.h"
 
 #include "vtkPlanarShadowPassMarkFS.h"
+#include "vtkPlanarShadowPassPlateauFS.h"
+#include "vtkPlanarShadowPassPlateauVS.h"
 #include "vtkPlanarShadowPassSumFS.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowFullScreenVS.h"
+#include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowedShadingPass.h"
@@ -13,6 +16,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -197,6 +201,52 @@ bool vtkPlanarShadowCanvas::Throw(const vtkShadowFrame& frame,
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowCanvas::DrawPlateaus(const vtkShadowFrame& frame,
+  const glm::dmat4& clipFromPlateau, const std::vector<vtkshadows::PlateauVertex>& triangles)
+{
+  if (triangles.empty())
+  {
+    return;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkShadowDrawScope target(frame.Window, this->Marks, 0, this->Masks, this->Layer);
+  target.Confine(this->Extent[0], this->Extent[1], this->Rim);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_STENCIL_TEST);
+  state->vtkglStencilFunc(GL_NOTEQUAL, OffPlane, 0xff);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_MIN);
+  glEnable(GL_DEPTH_CLAMP);
+
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkPlanarShadowPassPlateauVS, vtkPlanarShadowPassPlateauFS, "");
+  std::array<float, 16> matrix = vtkShadowMatrix::ToFloats(clipFromPlateau);
+  program->SetUniformMatrix4x4("shadowClipFromPlateau", matrix.data());
+  GLuint arrays = 0, buffer = 0;
+  glGenVertexArrays(1, &arrays);
+  glBindVertexArray(arrays);
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER,
+    static_cast<GLsizeiptr>(triangles.size() * sizeof(vtkshadows::PlateauVertex)), triangles.data(),
+    GL_STREAM_DRAW);
+  const GLint location = glGetAttribLocation(program->GetHandle(), "shadowVertex");
+  glEnableVertexAttribArray(static_cast<GLuint>(location));
+  glVertexAttribPointer(static_cast<GLuint>(location), 4, GL_FLOAT, GL_FALSE,
+    sizeof(vtkshadows::PlateauVertex), nullptr);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindVertexArray(0);
+  glDeleteBuffers(1, &buffer);
+  glDeleteVertexArrays(1, &arrays);
+
+  glDisable(GL_DEPTH_CLAMP);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
 }
 
 //------------------------------------------------------------------------------

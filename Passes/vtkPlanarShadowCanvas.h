@@ -5,6 +5,7 @@
 #define vtkPlanarShadowCanvas_h
 
 #include "LightView.h"
+#include "ShadowPlateaus.h"
 #include "vtkShadowTextureArray.h"
 
 #include <glm/vec3.hpp>
@@ -43,6 +44,9 @@ public:
   // marks are used up: mark again, and go on.
   bool Throw(const vtkShadowFrame& frame, const std::vector<std::size_t>& casters,
     const vtkshadows::LightView& view, float share);
+  // Plateaus, by their triangles: the least visibility stays. Of a hard light, after Throw.
+  void DrawPlateaus(const vtkShadowFrame& frame, const glm::dmat4& clipFromPlateau,
+    const std::vector<vtkshadows::PlateauVertex>& triangles);
   void End(const vtkShadowFrame& frame);
 
   void Release();

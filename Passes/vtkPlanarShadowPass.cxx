@@ -2,10 +2,11 @@
 
 #include "LightSamples.h"
 #include "PlanarProjection.h"
-#include "ShadowMesh.h"
+#include "ShadowPlateaus.h"
+#include "ShadowVolume.h"
 #include "vtkPlanarShadowCanvas.h"
 #include "vtkPlanarShadowPassLookup.h"
-#include "vtkShadowCasterGeometry.h"
+#include "vtkShadowCasterMesh.h"
 #include "vtkShadowEye.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowPlanes.h"
@@ -31,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 vtkStandardNewMacro(vtkPlanarShadowPass);
 
@@ -66,25 +68,26 @@ struct Shadow
   const ShadowLight* Light = nullptr;
   glm::dvec4 PlaneWC{ 0.0 }; // toward the light
   std::vector<PlanarThrow> Throws;
-  std::vector<std::size_t> Casters; // props
+  std::vector<std::size_t> Casters;                 // props
+  std::vector<const vtkShadowScene::Piece*> Pieces; // of them
   std::vector<BoxCorners> CasterCorners;
   glm::dvec3 CentreWC{ 0.0 }; // of the casters
   glm::dvec3 FootWC{ 0.0 };   // of the receivers
   double Highest = 0.0;       // of them, over the plane
 };
 
-// The `count` shadows that stand for a light on a plane; one, if it is hard.
-std::vector<PlanarThrow> ThrowsOf(const Shadow& shadow, int count, bool byOffsets)
+// The `count` shadows that stand for a light on a plane; one, if it is hard or softened otherwise.
+std::vector<PlanarThrow> ThrowsOf(const Shadow& shadow, int count, int method)
 {
   const ShadowLight& light = *shadow.Light;
   const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
   std::vector<PlanarThrow> throws;
-  if (!(light.radius > 0.0))
+  if (!(light.radius > 0.0) || method == vtkPlanarShadowPass::PLATEAUS)
   {
     throws.push_back({ lightWC, 0.0 });
     return throws;
   }
-  if (!byOffsets)
+  if (method == vtkPlanarShadowPass::SAMPLE_LIGHTS)
   {
     for (const ShadowLight& sample : vtkshadows::SampleAreaLight(light, count, shadow.FootWC))
     {
@@ -127,31 +130,26 @@ glm::dvec3 OffVertices(const vtkShadowScene& scene, const glm::dvec3& lampWC, do
       {
         continue;
       }
-      const glm::dmat4 worldFromTrace = glm::translate(glm::dmat4(1.0), lampWC);
-      vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
-        piece, glm::inverse(worldFromTrace) * piece.WorldFromModel, worldFromTrace);
-      const auto isNear = [nearest](const glm::vec3& p)
-      { return glm::length(glm::dvec3(p)) <= nearest; };
-      if (std::none_of(geometry.Vertices.begin(), geometry.Vertices.end(), isNear) ||
-        !std::all_of(geometry.Vertices.begin(), geometry.Vertices.end(),
-          [](const glm::vec3& p) { return std::isfinite(p.x + p.y + p.z); }))
-      {
-        continue;
-      }
-      const vtkshadows::ShadowMesh<float> mesh =
-        vtkshadows::BuildShadowMesh(std::move(geometry.Vertices), std::move(geometry.Triangles));
-      for (const vtkshadows::MeshPiece& body : mesh.pieces)
+      const vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
+      const glm::dmat4 lampFromCaster =
+        glm::translate(glm::dmat4(1.0), -lampWC) * piece.WorldFromModel * caster.ModelFromCaster;
+      for (const vtkshadows::MeshPiece& body : caster.Mesh.pieces)
       {
         for (std::uint32_t i = body.first; i < body.last; ++i)
         {
-          const glm::uvec3& t = mesh.triangles[i];
-          const glm::dvec3 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
-          const glm::dvec3 normal = glm::cross(b - a, c - a);
-          const double length = glm::length(normal);
-          if (length > 0.0 && (isNear(a) || isNear(b) || isNear(c)))
+          glm::dvec3 corners[3];
+          const glm::dvec3* vertex = nullptr;
+          for (int n = 0; n < 3; ++n)
           {
-            const glm::dvec3& vertex = isNear(a) ? a : isNear(b) ? b : c;
-            offVertex -= vertex;
+            const glm::dvec3 point(caster.Mesh.points[caster.Mesh.triangles[i][n]]);
+            corners[n] = glm::dvec3(lampFromCaster * glm::dvec4(point, 1.0));
+            vertex = glm::length(corners[n]) <= nearest ? &corners[n] : vertex;
+          }
+          const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+          const double length = glm::length(normal);
+          if (vertex && length > 0.0)
+          {
+            offVertex -= *vertex;
             outward += (body.insideOut ? -1.0 : 1.0) * normal / length;
           }
         }
@@ -171,6 +169,7 @@ struct TextureState
   glm::dvec2 Low{ 0.0 }, High{ 0.0 };
   int Texels[2] = { 0, 0 };
   std::vector<PlanarThrow> Throws;
+  double Plateaus = 0.0; // the light's radius
   std::vector<std::size_t> Casters;
   vtkMTimeType CasterStamp = 0;
 
@@ -181,7 +180,7 @@ struct TextureState
     return this->Drawn == other.Drawn && this->PlaneWC == other.PlaneWC && this->Low == other.Low &&
       this->High == other.High && this->Texels[0] == other.Texels[0] &&
       this->Texels[1] == other.Texels[1] && this->CasterStamp == other.CasterStamp &&
-      this->Casters == other.Casters &&
+      this->Casters == other.Casters && this->Plateaus == other.Plateaus &&
       std::equal(
         this->Throws.begin(), this->Throws.end(), other.Throws.begin(), other.Throws.end(), same);
   }
@@ -213,6 +212,12 @@ public:
     vtkMTimeType CasterStamp = 0;
   };
   std::vector<Place> Places; // the same
+  struct KnownMesh
+  {
+    std::vector<std::uint64_t> Shape;
+    vtkShadowCasterMesh Caster;
+  };
+  std::map<std::pair<vtkProp3D*, vtkMapper*>, KnownMesh> Meshes; // of casters with plateaus
   int NumberOfSlots = 0;
 
   // From the eye's view coordinates to the texture of a slot on a plane: x and y of its sides, z
@@ -226,6 +231,11 @@ public:
   glm::dvec4 EyeWC{ 0.0 }; // homogeneous: a parallel eye is a direction
   int Marked = -1;         // the plane whose pixels the canvas keeps to
 
+  // Whether a light's visibility is the mean of several shadows.
+  bool IsSum(const ShadowLight& light) const
+  {
+    return light.radius > 0.0 && this->Self->SoftMethod != PLATEAUS;
+  }
   std::size_t LayerOf(int slot, std::size_t plane) const
   {
     return static_cast<std::size_t>(slot) * this->Planes.Get().size() + plane;
@@ -238,6 +248,8 @@ public:
   void MarkPlane(const vtkShadowFrame& frame, std::size_t plane, bool isOnlyOne);
   bool UpdateTextures(const vtkShadowFrame& frame, int side, bool anySoft);
   void UpdateTexture(const vtkShadowFrame& frame, Shadow& shadow);
+  void DrawPlateaus(const vtkShadowFrame& frame, vtkPlanarShadowCanvas& canvas,
+    const Shadow& shadow, const glm::dmat4& clipFromWorld);
 };
 
 //------------------------------------------------------------------------------
@@ -289,11 +301,11 @@ void vtkPlanarShadowPass::RemoveAllPlanes()
 //------------------------------------------------------------------------------
 void vtkPlanarShadowPass::SetSoftMethod(int method)
 {
-  if (method < SAMPLE_LIGHTS || method > OFFSET_PLANES)
+  if (method < SAMPLE_LIGHTS || method > PLATEAUS)
   {
     vtkErrorMacro("SoftMethod " << method
                                 << " is none of vtkPlanarShadowPass::SoftMethodType (0 to "
-                                << OFFSET_PLANES << "). It stays " << this->SoftMethod << ".");
+                                << PLATEAUS << "). It stays " << this->SoftMethod << ".");
     return;
   }
   if (method != this->SoftMethod)
@@ -350,7 +362,7 @@ bool vtkPlanarShadowPass::UpdateVisibility(
                     : "");
 
   const bool anySoft = std::any_of(my.Shadows.begin(), my.Shadows.end(),
-    [](const Shadow& shadow) { return shadow.Light->radius > 0.0; });
+    [&my](const Shadow& shadow) { return my.IsSum(*shadow.Light); });
   const bool done = this->PlaneTextures
     ? my.UpdateTextures(
         frame, this->WithinDriver("TextureResolution", this->TextureResolution), anySoft)
@@ -460,6 +472,7 @@ void vtkPlanarShadowPass::Internals::FindCasters(const vtkShadowFrame& frame, Sh
         continue;
       }
       casts = true;
+      shadow.Pieces.push_back(&piece);
       shadow.CasterCorners.push_back(piece.CornersWC);
       shadow.Highest = std::max(shadow.Highest, highest);
       box.Add(piece.CornersWC);
@@ -480,8 +493,8 @@ void vtkPlanarShadowPass::Internals::FindCasters(const vtkShadowFrame& frame, Sh
 void vtkPlanarShadowPass::Internals::ChooseThrows(
   Shadow& shadow, const glm::dmat4& clipFromWorld, int width, int height)
 {
-  const bool byOffsets = this->Self->SoftMethod == OFFSET_PLANES;
-  shadow.Throws = ThrowsOf(shadow, ProbingSamples, byOffsets);
+  const int method = this->Self->SoftMethod;
+  shadow.Throws = ThrowsOf(shadow, ProbingSamples, method);
   if (shadow.Throws.size() == 1)
   {
     return;
@@ -489,7 +502,7 @@ void vtkPlanarShadowPass::Internals::ChooseThrows(
   const double widest = vtkshadows::WidestPenumbra(
     shadow.PlaneWC, shadow.Throws, clipFromWorld, width, height, shadow.CasterCorners);
   const int wanted = std::max(static_cast<int>(std::ceil(widest)), FewestSamples);
-  shadow.Throws = ThrowsOf(shadow, std::min(wanted, this->Self->LightSamples), byOffsets);
+  shadow.Throws = ThrowsOf(shadow, std::min(wanted, this->Self->LightSamples), method);
 }
 
 //------------------------------------------------------------------------------
@@ -550,7 +563,7 @@ bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bo
   for (int slot = 0; slot < this->NumberOfSlots && !this->Shadows.empty(); ++slot)
   {
     const bool isSoft = next < this->Shadows.size() && this->Shadows[next].Slot == slot &&
-      this->Shadows[next].Light->radius > 0.0;
+      this->IsSum(*this->Shadows[next].Light);
     this->Canvas.Begin(frame, this->Masks, slot, isSoft);
     for (; next < this->Shadows.size() && this->Shadows[next].Slot == slot; ++next)
     {
@@ -569,10 +582,50 @@ bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bo
         ++this->Self->NumberOfThrows;
         this->Self->NumberOfDrawnCasters += static_cast<vtkIdType>(shadow.Casters.size());
       }
+      this->DrawPlateaus(frame, this->Canvas, shadow, this->ClipFromWorld);
     }
     this->Canvas.End(frame);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowPass::Internals::DrawPlateaus(const vtkShadowFrame& frame,
+  vtkPlanarShadowCanvas& canvas, const Shadow& shadow, const glm::dmat4& clipFromWorld)
+{
+  if (!(shadow.Light->radius > 0.0) || this->Self->SoftMethod != PLATEAUS)
+  {
+    return;
+  }
+  const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(*shadow.Light);
+  std::vector<std::pair<glm::dvec3, glm::dvec3>> edges;
+  std::vector<vtkshadows::CastSign> signs;
+  std::vector<vtkshadows::SilhouetteEdge> silhouette;
+  for (const vtkShadowScene::Piece* piece : shadow.Pieces)
+  {
+    KnownMesh& known = this->Meshes[{ piece->Prop, piece->Mapper }];
+    if (known.Shape != piece->Shape)
+    {
+      known.Shape = piece->Shape;
+      known.Caster = vtkShadowCasterMesh::Build(*piece);
+    }
+    const glm::dmat4 worldFromCaster = piece->WorldFromModel * known.Caster.ModelFromCaster;
+    const vtkshadows::ShadowMesh<float>& mesh = known.Caster.Mesh;
+    vtkshadows::FaceTriangles(
+      mesh, glm::inverse(worldFromCaster) * lightWC, vtkshadows::CastingFaces::Closed, signs);
+    vtkshadows::FindSilhouette(mesh, signs, silhouette);
+    const auto toWorld = [&](std::uint32_t i)
+    { return glm::dvec3(worldFromCaster * glm::dvec4(glm::dvec3(mesh.points[i]), 1.0)); };
+    for (const vtkshadows::SilhouetteEdge& edge : silhouette)
+    {
+      edges.emplace_back(toWorld(edge.from), toWorld(edge.to));
+    }
+  }
+  std::vector<vtkshadows::PlateauVertex> triangles;
+  vtkshadows::BuildPlateaus(
+    shadow.PlaneWC, lightWC, shadow.Light->radius, edges, shadow.FootWC, triangles);
+  canvas.DrawPlateaus(
+    frame, clipFromWorld * glm::translate(glm::dmat4(1.0), shadow.FootWC), triangles);
 }
 
 //------------------------------------------------------------------------------
@@ -621,7 +674,8 @@ void vtkPlanarShadowPass::Internals::UpdateTexture(const vtkShadowFrame& frame, 
   const vtkShadowPlanes::Plane& plane = this->Planes.Get()[shadow.Plane];
   const std::size_t layer = this->LayerOf(shadow.Slot, shadow.Plane);
   const vtkshadows::PlaneFrame onPlane(plane.PlaneWC);
-  shadow.Throws = ThrowsOf(shadow, ProbingSamples, this->Self->SoftMethod == OFFSET_PLANES);
+  const int method = this->Self->SoftMethod == PLATEAUS ? SAMPLE_LIGHTS : this->Self->SoftMethod;
+  shadow.Throws = ThrowsOf(shadow, ProbingSamples, method);
 
   // Where its receivers and the shadow meet.
   TextureState wanted;
@@ -643,6 +697,7 @@ void vtkPlanarShadowPass::Internals::UpdateTexture(const vtkShadowFrame& frame, 
   wanted.Drawn = true;
   wanted.PlaneWC = shadow.PlaneWC;
   wanted.Throws = shadow.Throws;
+  wanted.Plateaus = this->IsSum(*shadow.Light) ? 0.0 : shadow.Light->radius;
   wanted.Casters = shadow.Casters;
   wanted.CasterStamp = frame.Scene->GetCasterStamp();
   if (!(this->States[layer] == wanted))
@@ -650,7 +705,7 @@ void vtkPlanarShadowPass::Internals::UpdateTexture(const vtkShadowFrame& frame, 
     const float share = 1.0f / static_cast<float>(shadow.Throws.size());
     this->TextureCanvas.KeepTo(wanted.Texels[0], wanted.Texels[1]);
     this->TextureCanvas.Begin(
-      frame, this->Textures, static_cast<int>(layer), shadow.Light->radius > 0.0);
+      frame, this->Textures, static_cast<int>(layer), this->IsSum(*shadow.Light));
     this->TextureCanvas.MarkAll(frame);
     for (const PlanarThrow& thrown : shadow.Throws)
     {
@@ -663,6 +718,7 @@ void vtkPlanarShadowPass::Internals::UpdateTexture(const vtkShadowFrame& frame, 
       ++this->Self->NumberOfThrows;
       this->Self->NumberOfDrawnCasters += static_cast<vtkIdType>(shadow.Casters.size());
     }
+    this->DrawPlateaus(frame, this->TextureCanvas, shadow, clipFromWorld);
     this->TextureCanvas.End(frame);
     this->States[layer] = wanted;
     ++this->Self->NumberOfTextureBuilds;

@@ -28,7 +28,8 @@
  * @par Reference
  * Blinn, J.: Me and my (fake) shadow, IEEE CG&A 8(1), 1988; Heckbert, P. and Herf, M.: Simulating
  * soft shadows with graphics hardware, CMU-CS-97-104, 1997; Gooch, B., Sloan, P.-P., Gooch, A.,
- * Shirley, P. and Riesenfeld, R.: Interactive technical illustration, I3D 1999 (offset planes).
+ * Shirley, P. and Riesenfeld, R.: Interactive technical illustration, I3D 1999 (offset planes);
+ * Haines, E.: Soft planar shadows using plateaus, Journal of Graphics Tools 6(1), 2001.
  *
  * @sa vtkShadowPass vtkRayCastShadowPass
  */
@@ -86,11 +87,15 @@ public:
    * - OFFSET_PLANES: the mean of shadows on planes above and below the plane, dropped onto it
    *   (Gooch et al. 1999): as wide as it is right for the middle of the casters, along one
    *   direction, and not at all beneath a directional light straight above. A look, not a measure.
+   * - PLATEAUS: one hard shadow, and around it ramps of the penumbra's width along the casters'
+   *   silhouettes (Haines 2001): smooth and cheap whatever the radius, with an umbra that is too
+   *   large. Casters without triangles (lines, points, impostors) stay hard.
    */
   enum SoftMethodType
   {
     SAMPLE_LIGHTS = 0,
-    OFFSET_PLANES = 1
+    OFFSET_PLANES = 1,
+    PLATEAUS = 2
   };
   ///@{
   /**

@@ -1,8 +1,7 @@
 #include "vtkShadowPlanes.h"
 
 #include "PlanarProjection.h"
-#include "ShadowMesh.h"
-#include "vtkShadowCasterGeometry.h"
+#include "vtkShadowCasterMesh.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -11,7 +10,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,27 +56,27 @@ const std::vector<vtkShadowPlanes::FlatPart>& vtkShadowPlanes::PartsOf(
     return parts.Flat;
   }
 
-  // About its centre, so that floats suffice.
-  const glm::dvec3 centre(
-    glm::inverse(piece.WorldFromModel) * glm::dvec4(CentreOf(piece.CornersWC), 1.0));
-  const glm::dmat4 traceFromModel = glm::translate(glm::dmat4(1.0), -centre);
-  vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
-    piece, traceFromModel, piece.WorldFromModel * glm::inverse(traceFromModel));
-  const bool isFinite = std::all_of(geometry.Vertices.begin(), geometry.Vertices.end(),
-    [](const glm::vec3& p) { return std::isfinite(p.x + p.y + p.z); });
-  if (!isFinite || geometry.Triangles.size() > static_cast<std::size_t>(MostTriangles))
+  const vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
+  const vtkshadows::ShadowMesh<float>& mesh = caster.Mesh;
+  if (mesh.NumberOfTriangles() > static_cast<std::size_t>(MostTriangles))
   {
     return parts.Flat;
   }
-  const vtkshadows::ShadowMesh<float> mesh =
-    vtkshadows::BuildShadowMesh(std::move(geometry.Vertices), std::move(geometry.Triangles));
+  // About its centre, where its coordinates are small.
+  const glm::dvec3 centre(
+    glm::inverse(piece.WorldFromModel) * glm::dvec4(CentreOf(piece.CornersWC), 1.0));
+  std::vector<glm::dvec3> points;
+  for (const glm::vec3& p : mesh.points)
+  {
+    points.push_back(glm::dvec3(caster.ModelFromCaster * glm::dvec4(glm::dvec3(p), 1.0)) - centre);
+  }
   const bool isClosed = !mesh.pieces.empty() &&
     std::all_of(mesh.pieces.begin(), mesh.pieces.end(),
       [](const vtkshadows::MeshPiece& body) { return body.closed; });
   double size = 0.0, whole = 0.0;
-  for (const glm::vec3& p : mesh.points)
+  for (const glm::dvec3& p : points)
   {
-    size = std::max(size, glm::length(glm::dvec3(p)));
+    size = std::max(size, glm::length(p));
   }
   const double rounding = std::ldexp(size, -20);
   for (const vtkshadows::MeshPiece& body : mesh.pieces)
@@ -86,7 +84,7 @@ const std::vector<vtkShadowPlanes::FlatPart>& vtkShadowPlanes::PartsOf(
     for (std::uint32_t i = body.first; i < body.last; ++i)
     {
       const glm::uvec3& t = mesh.triangles[i];
-      const glm::dvec3 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
+      const glm::dvec3 &a = points[t.x], &b = points[t.y], &c = points[t.z];
       const glm::dvec3 across = glm::cross(b - a, c - a) * (body.insideOut ? -1.0 : 1.0);
       const double area = glm::length(across);
       if (!(area > 0.0))

@@ -129,8 +129,8 @@ def enable(
     plane_textures : planar: keep each light's shadow on each plane as a texture fixed in the world: cheap
         while only the camera moves, edges as coarse as its texels (False).
     texture_resolution : planar: texels on the longer side of such a texture, 1 or more (2048).
-    soft_method : planar: how a light with a radius is made soft: "sample-lights" (default) or
-        "offset-planes"; see vtkPlanarShadowPass::SoftMethodType.
+    soft_method : planar: how a light with a radius is made soft: "sample-lights" (default),
+        "offset-planes" or "plateaus"; see vtkPlanarShadowPass::SoftMethodType.
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
     radius : 0 or more (0): size of every light that the renderer has now. planar, stencil-volume and
@@ -689,6 +689,7 @@ def _set_smoothing(shadows, renderer, value):
 _SOFT_METHODS = {
     "sample-lights": vtkPlanarShadowPass.SAMPLE_LIGHTS,
     "offset-planes": vtkPlanarShadowPass.OFFSET_PLANES,
+    "plateaus": vtkPlanarShadowPass.PLATEAUS,
 }
 
 

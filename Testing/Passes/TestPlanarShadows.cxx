@@ -702,3 +702,40 @@ TEST_F(PlanarShadows, CastersThatCannotReach)
   CheckAtMost(
     "pixels in shadow", static_cast<double>(this->VisibilityOf(sun).CountShadowed()), 0.0);
 }
+
+// Around the hard shadow, never in it; and with a texture the same.
+TEST_F(PlanarShadows, PlateausSoftenOutwards)
+{
+  Subject subject = this->AddCasters();
+  AimCamera(this->Renderer, subject, -20.0, 35.0, 400, 300);
+  auto lamp = AddLamp(this->Renderer, { 3.0, -2.0, 6.0 });
+  this->Render();
+  const Visibility hard = this->VisibilityOf(lamp);
+  this->Shadows->SetLightRadius(lamp, 0.4);
+  this->Planar()->SetSoftMethod(vtkPlanarShadowPass::PLATEAUS);
+  this->Render();
+  Check("shadows drawn", static_cast<double>(this->Planar()->GetNumberOfThrows()), 1.0);
+  const Visibility soft = this->VisibilityOf(lamp);
+  std::size_t lighter = 0, between = 0;
+  for (std::size_t i = 0; i < soft.values.size(); ++i)
+  {
+    lighter += soft.values[i] > hard.values[i] ? 1 : 0;
+    between += soft.values[i] > 0.05f && soft.values[i] < 0.95f ? 1 : 0;
+  }
+  Check("pixels of the hard shadow that are lighter", static_cast<double>(lighter), 0.0);
+  CheckAtLeast("pixels in penumbra", static_cast<double>(between), 500.0);
+  this->Planar()->PlaneTexturesOn();
+  this->Render();
+  const Visibility textured = this->VisibilityOf(lamp);
+  double difference = 0.0;
+  for (std::size_t i = 0; i < soft.values.size(); ++i)
+  {
+    difference += std::abs(soft.values[i] - textured.values[i]);
+  }
+  CheckAtMost("mean difference by texture", difference / soft.values.size(), 0.002);
+  // Another radius is another texture.
+  const auto builds = this->Planar()->GetNumberOfTextureBuilds();
+  this->Shadows->SetLightRadius(lamp, 0.5);
+  this->Render();
+  Check("builds", static_cast<double>(this->Planar()->GetNumberOfTextureBuilds() - builds), 1.0);
+}
