@@ -18,7 +18,8 @@ an error that names the value and the remedy: ValueError for an argument, Runtim
 message for the rest.
 
 The classes underneath are in vtkshadows.vtkShadowsPasses (vtkShadowPass is what `enable` returns).
-Shadows as geometry, without rendering: vtkShadowSilhouetteFilter and vtkShadowVolumeFilter.
+Shadows as geometry, without rendering: vtkShadowSilhouetteFilter, vtkShadowVolumeFilter and
+vtkPlanarShadowFilter.
 """
 import operator
 import re
@@ -43,7 +44,11 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
-from .vtkShadowsFilters import vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
+from .vtkShadowsFilters import (
+    vtkPlanarShadowFilter,
+    vtkShadowSilhouetteFilter,
+    vtkShadowVolumeFilter,
+)
 from .vtkShadowsPasses import (
     vtkShadowErrorMeasure,
     vtkShadowPass,
@@ -60,6 +65,7 @@ __all__ = [
     "techniques",
     "visibility",
     "volume_counts",
+    "vtkPlanarShadowFilter",
     "vtkShadowErrorMeasure",
     "vtkShadowPass",
     "vtkShadowSilhouetteFilter",
