@@ -305,10 +305,25 @@ bool IsOn(const Segment& s, const GridPoint& p)
     std::abs(Determinant(along.x, along.y, toward.x, toward.y)) < Near * std::sqrt(whole);
 }
 
+// Whether t lies to one side of s, and is farther from it than Near. Rounding makes less than a
+// step of the grid.
+bool IsAside(const Segment& s, const Segment& t)
+{
+  const glm::dvec2 along = s.b - s.a, first = t.a - s.a, second = t.b - s.a;
+  const double p = along.x * first.y - along.y * first.x;
+  const double q = along.x * second.y - along.y * second.x;
+  const double least = 2.0 * (std::abs(along.x) + std::abs(along.y));
+  return (p > least && q > least) || (p < -least && q < -least);
+}
+
 // Calls use(which, point) where one of the two is to be split, 0 for s and 1 for t.
 template <typename Use>
 void MeetSegments(const Segment& s, const Segment& t, const Use& use)
 {
+  if (IsAside(s, t) || IsAside(t, s))
+  {
+    return;
+  }
   bool isTouched = false;
   const auto touch = [&](const Segment& segment, const GridPoint& end, int which)
   {
@@ -613,10 +628,11 @@ public:
   {
     Segments segments = this->Edges(first, last);
     Merge(segments);
-    // As many crossings as a mesh has is planar at once; of what is one above the other, not.
+    // A mesh is cheapest at once: halves are cut apart, and joined again. Where many layers lie one
+    // above the other, what is in a half is mostly inside of it.
     const std::size_t count = last - first;
     const std::size_t most =
-      count < 2 ? std::numeric_limits<std::size_t>::max() : 16 * segments.size() + 100000;
+      count < 2 ? std::numeric_limits<std::size_t>::max() : 16 * segments.size() + 1000;
     if (!MakePlanar(segments, most))
     {
       segments = this->UniteHalves(first, last);
