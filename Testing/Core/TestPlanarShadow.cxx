@@ -525,7 +525,7 @@ TEST(PlanarShadow, LightsInThePlaneThrowNone)
 TEST(PlanarShadow, OfAnyMeshIsAsSampled)
 {
   std::vector<TestMesh> meshes = SmallMeshes();
-  meshes.push_back(Soup(2000, 100));
+  meshes.push_back(Soup(800, 60));
   for (const TestMesh& mesh : meshes)
   {
     for (const glm::dvec4& light : Lights())
