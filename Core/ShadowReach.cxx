@@ -152,6 +152,25 @@ void Box::AddPoint(const glm::dvec3& p)
   this->isEmpty = false;
 }
 
+BoxCorners Box::Corners() const
+{
+  BoxCorners corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = { i & 1 ? this->maximum.x : this->minimum.x,
+      i & 2 ? this->maximum.y : this->minimum.y, i & 4 ? this->maximum.z : this->minimum.z };
+  }
+  return corners;
+}
+
+Box Box::Grown(double margin) const
+{
+  Box box = *this;
+  box.minimum -= margin;
+  box.maximum += margin;
+  return box;
+}
+
 bool Box::Holds(const glm::dvec3& p) const
 {
   return !this->isEmpty && glm::all(glm::greaterThanEqual(p, this->minimum)) &&

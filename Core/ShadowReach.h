@@ -8,6 +8,7 @@
 
 #include "LightView.h" // for BoxCorners
 
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include <array>
@@ -30,6 +31,10 @@ struct Box
     }
   }
   void AddPoint(const glm::dvec3& p);
+  double Diagonal() const { return glm::distance(this->minimum, this->maximum); }
+  BoxCorners Corners() const;
+  // The box grown on every side.
+  Box Grown(double margin) const;
   bool Holds(const glm::dvec3& p) const;
 };
 

@@ -286,6 +286,24 @@ bool vtkShadowGeometryFilter::UpdateLight()
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowGeometryFilter::CheckBounds(const double bounds[6], const char* meaning)
+{
+  const double* b = bounds;
+  const bool isFinite = std::all_of(b, b + 6, [](double value) { return std::isfinite(value); });
+  const int reversed = (b[0] > b[1]) + (b[2] > b[3]) + (b[4] > b[5]);
+  if (!isFinite || reversed % 3 != 0)
+  {
+    vtkErrorMacro("Bounds (" << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4]
+                             << ", " << b[5]
+                             << ") are no box: give six finite numbers, each minimum at most its "
+                                "maximum, or (1, -1, 1, -1, 1, -1) for "
+                             << meaning << ".");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowGeometryFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -18,7 +18,7 @@
  * The blocks of a composite data set cast one by one: each gets geometry of its own, and its mesh
  * is made ready in every update.
  *
- * @sa vtkShadowSilhouetteFilter vtkShadowVolumeFilter
+ * @sa vtkShadowSilhouetteFilter vtkShadowVolumeFilter vtkPlanarShadowFilter
  */
 #ifndef vtkShadowGeometryFilter_h
 #define vtkShadowGeometryFilter_h
@@ -104,6 +104,10 @@ protected:
   // Fill the output, which is empty. false, after an error, if it cannot be.
   virtual bool MakeGeometry(const Caster& caster, vtkPolyData* output) = 0;
 #endif
+
+  // Whether these are six finite numbers, none of the minima above its maximum, or all; with an
+  // error if not. `meaning`: what the latter stands for.
+  bool CheckBounds(const double bounds[6], const char* meaning);
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

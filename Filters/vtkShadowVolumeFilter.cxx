@@ -2,6 +2,8 @@
 
 #include "vtkShadowCaster.h"
 
+#include "ShadowReach.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -28,43 +30,20 @@ namespace
 
 using Filter = vtkShadowVolumeFilter;
 using Mesh = vtkshadows::ShadowMesh<double>;
+using vtkshadows::Box;
 using Signs = std::vector<vtkshadows::CastSign>;
-
-struct Box
-{
-  glm::dvec3 Minimum{ std::numeric_limits<double>::infinity() };
-  glm::dvec3 Maximum{ -std::numeric_limits<double>::infinity() };
-
-  void Add(const glm::dvec3& p)
-  {
-    this->Minimum = glm::min(this->Minimum, p);
-    this->Maximum = glm::max(this->Maximum, p);
-  }
-  double Diagonal() const { return glm::distance(this->Minimum, this->Maximum); }
-  glm::dvec3 Corner(int i) const
-  {
-    return { i & 1 ? this->Maximum.x : this->Minimum.x, i & 2 ? this->Maximum.y : this->Minimum.y,
-      i & 4 ? this->Maximum.z : this->Minimum.z };
-  }
-};
 
 // `bounds` or their default, and the mesh's points.
 Box BoxToReach(const Mesh& mesh, const double bounds[6])
 {
   Box box;
-  for (const glm::dvec3& p : mesh.points)
-  {
-    box.Add(p);
-  }
+  box.Add(mesh.points);
   if (bounds[0] > bounds[1])
   {
-    const glm::dvec3 margin(box.Diagonal());
-    box.Add(box.Minimum - margin);
-    box.Add(box.Maximum + margin);
-    return box;
+    return box.Grown(box.Diagonal());
   }
-  box.Add({ bounds[0], bounds[2], bounds[4] });
-  box.Add({ bounds[1], bounds[3], bounds[5] });
+  box.AddPoint({ bounds[0], bounds[2], bounds[4] });
+  box.AddPoint({ bounds[1], bounds[3], bounds[5] });
   return box;
 }
 
@@ -75,9 +54,9 @@ constexpr double Slack = 0.01;
 double PlaneBeyond(const Box& box, const glm::dvec3& direction)
 {
   double farthest = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 8; ++i)
+  for (const glm::dvec3& corner : box.Corners())
   {
-    farthest = std::max(farthest, glm::dot(direction, box.Corner(i)));
+    farthest = std::max(farthest, glm::dot(direction, corner));
   }
   return farthest + Slack * box.Diagonal();
 }
@@ -94,9 +73,9 @@ glm::dvec3 DirectionTo(const glm::dvec3& p, const glm::dvec3& light)
 double SphereBeyond(const Box& box, const Mesh& mesh, const Signs& signs, const glm::dvec3& light)
 {
   double farthest = 0.0;
-  for (int i = 0; i < 8; ++i)
+  for (const glm::dvec3& corner : box.Corners())
   {
-    farthest = std::max(farthest, glm::distance(light, box.Corner(i)));
+    farthest = std::max(farthest, glm::distance(light, corner));
   }
   // A flat cap between points of a unit sphere is no nearer to its centre than they are along any
   // one direction.
@@ -337,18 +316,8 @@ bool vtkShadowVolumeFilter::CheckExtent()
     vtkErrorMacro("Length " << this->Length << " is no length: give a finite one above 0.");
     return false;
   }
-  const double* b = this->Bounds;
-  const bool isFinite = std::all_of(b, b + 6, [](double value) { return std::isfinite(value); });
-  const int reversed = (b[0] > b[1]) + (b[2] > b[3]) + (b[4] > b[5]);
-  if (this->ExtentMode == BOUNDS_EXTENT && (!isFinite || reversed % 3 != 0))
-  {
-    vtkErrorMacro("Bounds (" << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4]
-                             << ", " << b[5]
-                             << ") are no box: give six finite numbers, each minimum at most its "
-                                "maximum, or (1, -1, 1, -1, 1, -1) for the mesh's own bounds.");
-    return false;
-  }
-  return true;
+  return this->ExtentMode != BOUNDS_EXTENT ||
+    this->CheckBounds(this->Bounds, "the mesh's own bounds");
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,8 @@ an error that names the value and the remedy: ValueError for an argument, Runtim
 message for the rest.
 
 The classes underneath are in vtkshadows.vtkShadowsPasses (vtkShadowPass is what `enable` returns).
-Shadows as geometry, without rendering: vtkShadowSilhouetteFilter and vtkShadowVolumeFilter.
+Shadows as geometry, without rendering: vtkShadowSilhouetteFilter, vtkShadowVolumeFilter and
+vtkPlanarShadowFilter.
 """
 import operator
 import os
@@ -55,7 +56,11 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .vtkShadowsFilters import vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
+from .vtkShadowsFilters import (
+    vtkPlanarShadowFilter,
+    vtkShadowSilhouetteFilter,
+    vtkShadowVolumeFilter,
+)
 from .vtkShadowsPasses import (
     vtkPlanarShadowPass,
     vtkShadowErrorMeasure,
@@ -78,6 +83,7 @@ __all__ = [
     "techniques",
     "visibility",
     "volume_counts",
+    "vtkPlanarShadowFilter",
     "vtkPlanarShadowPass",
     "vtkShadowErrorMeasure",
     "vtkShadowFloor",

@@ -234,13 +234,17 @@ Errors::Errors(vtkAlgorithm* algorithm)
   this->OwnCommand->SetClientData(&this->Own);
   this->ExecutiveCommand->SetCallback(Collect);
   this->ExecutiveCommand->SetClientData(&this->Executives);
+  this->WarningCommand->SetCallback(Collect);
+  this->WarningCommand->SetClientData(&this->Warnings);
   algorithm->AddObserver(vtkCommand::ErrorEvent, this->OwnCommand);
+  algorithm->AddObserver(vtkCommand::WarningEvent, this->WarningCommand);
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->ExecutiveCommand);
 }
 
 Errors::~Errors()
 {
   this->Algorithm->RemoveObserver(this->OwnCommand);
+  this->Algorithm->RemoveObserver(this->WarningCommand);
   this->Algorithm->GetExecutive()->RemoveObserver(this->ExecutiveCommand);
 }
 

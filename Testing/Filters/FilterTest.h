@@ -53,7 +53,7 @@ double SignedVolume(vtkPolyData* mesh);
 int CountCrossings(
   vtkPolyData* mesh, const glm::dvec3& p, const glm::dvec3& d, double end, bool signedCount);
 
-// Collects the errors of an algorithm and of its executive while it lives.
+// Collects the errors and warnings of an algorithm and of its executive while it lives.
 class Errors
 {
 public:
@@ -62,10 +62,11 @@ public:
   // The algorithm's own; its executive adds that the request failed.
   std::vector<std::string> Own;
   std::vector<std::string> Executives;
+  std::vector<std::string> Warnings;
 
 private:
   vtkSmartPointer<vtkAlgorithm> Algorithm;
-  vtkNew<vtkCallbackCommand> OwnCommand, ExecutiveCommand;
+  vtkNew<vtkCallbackCommand> OwnCommand, ExecutiveCommand, WarningCommand;
 };
 
 }

@@ -1,6 +1,7 @@
 // Requests: what is done again and what is not, what is refused and how.
 #include "FilterTest.h"
 
+#include "vtkPlanarShadowFilter.h"
 #include "vtkShadowSilhouetteFilter.h"
 #include "vtkShadowVolumeFilter.h"
 
@@ -58,18 +59,22 @@ void ExpectModifiedOnce(vtkObject* object, const std::function<void()>& set)
   EXPECT_EQ(object->GetMTime(), after);
 }
 
-using BothFilters = std::vector<vtkSmartPointer<vtkShadowGeometryFilter>>;
-BothFilters MakeBoth()
+using AllFilters = std::vector<vtkSmartPointer<vtkShadowGeometryFilter>>;
+AllFilters MakeAll()
 {
+  // A plane that none of the lights here is beneath or in.
+  const auto planar = vtkSmartPointer<vtkPlanarShadowFilter>::New();
+  planar->SetPlaneOrigin(-1.0, 0.0, -1.0);
+  planar->SetPlaneNormal(1.0, 0.0, 1.0);
   return { vtkSmartPointer<vtkShadowSilhouetteFilter>::New(),
-    vtkSmartPointer<vtkShadowVolumeFilter>::New() };
+    vtkSmartPointer<vtkShadowVolumeFilter>::New(), planar };
 }
 
 }
 
 TEST(ShadowFilterRequests, ALightThatMovesLeavesTheMeshAsItIs)
 {
-  for (const auto& filter : MakeBoth())
+  for (const auto& filter : MakeAll())
   {
     vtkNew<vtkSphereSource> sphere;
     filter->SetInputConnection(sphere->GetOutputPort());
@@ -110,7 +115,7 @@ TEST(ShadowFilterRequests, PointsThatAreEditedInPlaceAreSeen)
 
 TEST(ShadowFilterRequests, SettersCallModifiedOnlyOnChange)
 {
-  for (const auto& filter : MakeBoth())
+  for (const auto& filter : MakeAll())
   {
     ExpectModifiedOnce(filter, [&] { filter->SetLight(1.0, 2.0, 3.0, 1.0); });
     ExpectModifiedOnce(filter, [&] { filter->SetLightPosition(1.0, 2.0, 4.0); });
@@ -121,6 +126,12 @@ TEST(ShadowFilterRequests, SettersCallModifiedOnlyOnChange)
   ExpectModifiedOnce(filter, [&] { filter->SetExtentModeToLength(); });
   ExpectModifiedOnce(filter, [&] { filter->SetLength(3.0); });
   ExpectModifiedOnce(filter, [&] { filter->SetBounds(0.0, 1.0, 0.0, 1.0, 0.0, 1.0); });
+  vtkNew<vtkPlanarShadowFilter> planar;
+  ExpectModifiedOnce(planar, [&] { planar->SetPlaneOrigin(0.0, 1.0, 0.0); });
+  ExpectModifiedOnce(planar, [&] { planar->SetPlaneNormal(0.0, 1.0, 0.0); });
+  ExpectModifiedOnce(planar, [&] { planar->SetBounds(0.0, 1.0, 0.0, 1.0, 0.0, 1.0); });
+  ExpectModifiedOnce(planar, [&] { planar->SetOutputModeToOutline(); });
+  ExpectModifiedOnce(planar, [&] { planar->ComputeAreaOff(); });
 }
 
 TEST(ShadowFilterRequests, ALightIsAPositionOrADirectionOfTravel)
@@ -155,7 +166,7 @@ TEST(ShadowFilterRequests, WhatIsNoLightIsRefused)
     { NaN, 0.0, 0.0, 1.0 }, { 0.0, Infinite, 0.0, 1.0 }, { 0.0, 0.0, NaN, 0.0 },
     { Infinite, 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, NaN }, { 1.0, 0.0, 0.0, Infinite },
     { 1e300, 0.0, 0.0, 1e-300 } };
-  for (const auto& filter : MakeBoth())
+  for (const auto& filter : MakeAll())
   {
     filter->SetInputData(UnitSphere(8));
     for (const auto& light : lights)
@@ -174,7 +185,7 @@ TEST(ShadowFilterRequests, PointsThatAreNotFiniteAreRefusedByName)
 {
   for (const double bad : { NaN, Infinite, -Infinite })
   {
-    for (const auto& filter : MakeBoth())
+    for (const auto& filter : MakeAll())
     {
       const auto mesh = ToPolyData(OpenStrip(), VTK_FLOAT);
       mesh->GetPoints()->SetPoint(6, 0.0, bad, 0.0);
@@ -192,7 +203,7 @@ TEST(ShadowFilterRequests, PointsThatAreNotFiniteAreRefusedByName)
 
 TEST(ShadowFilterRequests, FacesWithoutTheirPointsAreRefused)
 {
-  for (const auto& filter : MakeBoth())
+  for (const auto& filter : MakeAll())
   {
     auto mesh = ToPolyData(OpenStrip(), VTK_FLOAT);
     vtkNew<vtkPoints> fewer;
@@ -225,6 +236,30 @@ TEST(ShadowFilterRequests, ExtentsThatCannotBeAreRefused)
   ExpectFine(filter, false);
 }
 
+TEST(ShadowFilterRequests, PlanesThatCannotBeAreRefused)
+{
+  vtkNew<vtkPlanarShadowFilter> filter;
+  filter->SetInputData(UnitSphere(8));
+  for (const double bad : { 0.0, NaN, Infinite })
+  {
+    std::ostringstream value;
+    value << "PlaneNormal (0, " << bad << ", 0)";
+    filter->SetPlaneNormal(0.0, bad, 0.0);
+    ExpectRefused(filter, { value.str(), "not all 0" });
+  }
+  filter->SetPlaneNormal(0.0, 0.0, 1e-200);
+  ExpectFine(filter, false);
+  filter->SetPlaneOrigin(NaN, 0.0, 0.0);
+  ExpectRefused(filter, { "PlaneOrigin (nan, 0, 0)", "finite" });
+  filter->SetPlaneOrigin(0.0, 0.0, 0.0);
+  filter->SetBounds(0.0, 1.0, 2.0, 1.0, 0.0, 1.0);
+  ExpectRefused(filter, { "Bounds (0, 1, 2, 1, 0, 1)", "for no bounds" });
+  filter->SetBounds(0.0, 1.0, 0.0, NaN, 0.0, 1.0);
+  ExpectRefused(filter, { "Bounds (0, 1, 0, nan", "finite" });
+  filter->SetBounds(2.0, -2.0, 2.0, -2.0, 2.0, -2.0);
+  ExpectFine(filter, false);
+}
+
 TEST(ShadowFilterRequests, NothingMakesNothing)
 {
   vtkNew<vtkPolyData> nothing;
@@ -235,7 +270,7 @@ TEST(ShadowFilterRequests, NothingMakesNothing)
     ToPolyData({ "", { { 0, 0, 0 }, { 1, 0, 0 } }, { { 0, 1, 0 } } }, VTK_DOUBLE);
   for (const auto& mesh : { vtkSmartPointer<vtkPolyData>(nothing), onlyALine, repeats })
   {
-    for (const auto& filter : MakeBoth())
+    for (const auto& filter : MakeAll())
     {
       filter->SetInputData(mesh);
       ExpectFine(filter, true);
@@ -261,5 +296,13 @@ TEST(ShadowFilterRequests, PrintsItsSettings)
          "NumberOfMeshBuilds: 0", "ExtentMode: BOUNDS_EXTENT", "Length: 1", "Bounds: (1, -1, 1" })
   {
     EXPECT_NE(printed.str().find(part), std::string::npos) << part;
+  }
+  vtkNew<vtkPlanarShadowFilter> planar;
+  std::ostringstream planarPrinted;
+  planar->Print(planarPrinted);
+  for (const char* part : { "Light: (0, 0, 1, 0)", "PlaneOrigin: (0, 0, 0)",
+         "PlaneNormal: (0, 0, 1)", "Bounds: (1, -1, 1", "OutputMode: POLYGONS", "ComputeArea: on" })
+  {
+    EXPECT_NE(planarPrinted.str().find(part), std::string::npos) << part;
   }
 }

@@ -66,6 +66,31 @@ class TestShadowFilters(unittest.TestCase):
                 if "Bounds" in settings:
                     self.assertLess(points[:, 2].min(), -9)
 
+    def test_planar_shadow(self):
+        light = numpy.array((1, 2, 3))
+        settings = dict(Light=(*light, 0), PlaneOrigin=(0, 0, -1), PlaneNormal=(0, 0, 1))
+        expected = numpy.pi * RADIUS**2 * numpy.linalg.norm(light) / light[2]
+        for mode in ("Polygons", "Outline"):
+            with self.subTest(mode=mode):
+                shadow, points = fetch(
+                    PlanarShadow(Input=self.sphere, OutputMode=mode, **settings)  # noqa: F821
+                )
+                self.assertTrue((abs(points[:, 2] + 1) < 1e-12).all())
+                area = vtk_to_numpy(shadow.GetFieldData().GetArray("ShadowArea"))[0]
+                print(f"area: got {area}, expected {expected} but for the facets, tolerance 1 %")
+                self.assertAlmostEqual(area, expected, delta=0.01 * expected)
+                if mode == "Polygons":
+                    self.assertGreater(shadow.GetNumberOfPolys(), 1000)
+                else:
+                    self.assertEqual(shadow.GetNumberOfLines(), 1)
+        cut, points = fetch(
+            PlanarShadow(  # noqa: F821
+                Input=self.sphere, Bounds=(-9, 0, -9, 9, -9, 9), ComputeArea=0, **settings
+            )
+        )
+        self.assertLess(points[:, 0].max(), 1e-12)
+        self.assertFalse(cut.GetFieldData().HasArray("ShadowArea"))
+
     def test_blocks_cast_one_by_one(self):
         apart = simple.Sphere(Center=(3, 0, 0), Radius=RADIUS, ThetaResolution=48, PhiResolution=48)
         alone, _ = fetch(ShadowVolume(Input=self.sphere))  # noqa: F821

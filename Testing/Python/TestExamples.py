@@ -1,5 +1,6 @@
-"""The examples run: the first ones write the same picture, and it has a shadow; the volume is a file; the
-picture that explains differs from the plain one; the figure on a page is transparent around it."""
+"""The examples run: the first ones write the same picture, and it has a shadow; the volume is a file, and
+the outline is; the picture that explains differs from the plain one; the figure on a page is transparent
+around it."""
 import pathlib
 import re
 import subprocess
@@ -10,8 +11,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-PYTHON_EXAMPLE, CXX_EXAMPLE, VOLUME_EXAMPLE, STENCIL_EXAMPLE, PAGE_EXAMPLE = sys.argv[1:6]
-FOLDER = pathlib.Path(sys.argv[6])
+(
+    PYTHON_EXAMPLE,
+    CXX_EXAMPLE,
+    VOLUME_EXAMPLE,
+    STENCIL_EXAMPLE,
+    PAGE_EXAMPLE,
+    AREA_EXAMPLE,
+) = sys.argv[1:7]
+FOLDER = pathlib.Path(sys.argv[7])
 
 
 def read_png(path):
@@ -58,6 +66,21 @@ class TestExamples(unittest.TestCase):
         reader.Update()
         print(f"triangles in the file: got {reader.GetOutput().GetNumberOfCells()}, expected {count}")
         self.assertEqual(reader.GetOutput().GetNumberOfCells(), count)
+
+    def test_area(self):
+        file = FOLDER / "shadow_outline.vtp"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, AREA_EXAMPLE, str(file))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        areas = [float(area) for area in re.findall(r"shadow ([\d.]+)", done.stdout)]
+        print(f"areas: got {areas}, expected 6 that grow as the sun sinks")
+        self.assertEqual(len(areas), 6)
+        self.assertEqual(areas, sorted(areas))
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(file))
+        reader.Update()
+        loops = reader.GetOutput().GetCellData().GetArray("LoopArea")
+        self.assertAlmostEqual(vtk_to_numpy(loops).sum(), areas[-1], delta=1e-3)
 
     def test_stencil_volumes(self):
         files = [FOLDER / "stencil_volumes.png", FOLDER / "stencil_volumes-explained.png"]

@@ -1,4 +1,4 @@
-"""Silhouettes and shadow volumes in a pipeline, without any rendering."""
+"""Silhouettes, shadow volumes and planar shadows in a pipeline, without any rendering."""
 import unittest
 
 import numpy
@@ -61,6 +61,29 @@ class TestFilters(unittest.TestCase):
         parts = array(volume.GetCellData(), "ShadowVolumePart")
         self.assertEqual([int((parts == part).sum()) for part in range(3)], [6, 12, 6])
         self.assertEqual(kind.FAR_CAP, 2)
+
+    def test_planar_shadow(self):
+        kind = vtkshadows.vtkPlanarShadowFilter
+        settings = dict(PlaneOrigin=(0, 0, -2), PlaneNormal=(0, 0, -3))
+        shadow, flat = self.run_filter(kind, **settings)
+        points = vtk_to_numpy(flat.GetPoints().GetData())
+        self.assertEqual(points.dtype, numpy.float64)
+        self.assertTrue((abs(points[:, 2] + 2) < 1e-15).all())
+        # The three faces toward the light, two triangles each.
+        self.assertEqual(flat.GetNumberOfCells(), 6)
+        self.assertEqual(len(set(array(flat.GetCellData(), "OriginalCellIds"))), 3)
+        self.assertTrue((array(flat.GetPointData(), "OriginalPointIds") >= 0).all())
+        area, expected = array(flat.GetFieldData(), "ShadowArea")[0], AREA / TOWARD[2]
+        print(f"area: got {area}, expected {expected}, tolerance 1e-9")
+        self.assertAlmostEqual(area, expected, delta=1e-9)
+        normal = array(flat.GetFieldData(), "ShadowPlaneNormal")
+        self.assertEqual(normal.tolist(), [[0, 0, 1]])
+
+        shadow.SetOutputModeToOutline()
+        shadow.Update()
+        outline = shadow.GetOutput()
+        self.assertEqual((outline.GetNumberOfLines(), outline.GetNumberOfPoints()), (1, 6))
+        self.assertAlmostEqual(array(outline.GetCellData(), "LoopArea")[0], expected, delta=1e-9)
 
     def test_a_light_that_moves(self):
         shadow, _ = self.run_filter(vtkshadows.vtkShadowVolumeFilter)
