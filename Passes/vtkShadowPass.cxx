@@ -18,12 +18,14 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
@@ -40,6 +42,7 @@ vtkStandardNewMacro(vtkShadowPass);
 
 vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOWS, Integer);
 vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOWS, Integer);
+vtkInformationKeyRestrictedMacro(vtkShadowPass, CASTER_STAND_IN, ObjectBase, "vtkPolyData");
 
 namespace
 {
@@ -96,7 +99,8 @@ void FillImage(vtkImageData* image, const vtkShadowFrame& frame, const std::vect
   image->Modified();
 }
 
-void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
+template <typename Key, typename Value>
+void SetKey(vtkProp* prop, Key* key, Value value)
 {
   if (!prop)
   {
@@ -107,7 +111,7 @@ void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
     vtkNew<vtkInformation> keys;
     prop->SetPropertyKeys(keys);
   }
-  prop->GetPropertyKeys()->Set(key, value ? 1 : 0);
+  prop->GetPropertyKeys()->Set(key, value);
 }
 
 }
@@ -663,12 +667,23 @@ vtkShadowScene* vtkShadowPass::GetScene()
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetCastsShadows(vtkProp* prop, bool casts)
 {
-  SetKey(prop, vtkShadowPass::CASTS_SHADOWS(), casts);
+  SetKey(prop, vtkShadowPass::CASTS_SHADOWS(), casts ? 1 : 0);
 }
 
 void vtkShadowPass::SetReceivesShadows(vtkProp* prop, bool receives)
 {
-  SetKey(prop, vtkShadowPass::RECEIVES_SHADOWS(), receives);
+  SetKey(prop, vtkShadowPass::RECEIVES_SHADOWS(), receives ? 1 : 0);
+}
+
+void vtkShadowPass::SetStandIn(vtkProp* prop, vtkPolyData* mesh)
+{
+  SetKey(prop, vtkShadowPass::CASTER_STAND_IN(), mesh); // nullptr removes the key
+}
+
+vtkPolyData* vtkShadowPass::GetStandIn(vtkProp* prop)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  return keys ? vtkPolyData::SafeDownCast(keys->Get(vtkShadowPass::CASTER_STAND_IN())) : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -181,6 +181,7 @@ bool vtkShadowVolumeCaster::Upload(const vtkshadows::VolumeEmitter<float>& emitt
       emitter.Write(static_cast<std::uint32_t*>(numbers));
     }
     isWritten = numbers && glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;
+    // Soup comes first, and has fewer triangles than points: it is within what a texture may have.
     const ScopedBufferTexture bound(volume.Texture);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, volume.Buffer);
   }

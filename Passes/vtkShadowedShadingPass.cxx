@@ -273,7 +273,10 @@ void vtkShadowedShadingPass::DrawReceivers(const vtkShadowFrame& frame, Stage st
   this->SetStage(stage);
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
-    prop.Source->RenderOpaqueGeometry(frame.Renderer);
+    if (!prop.StandsInFor)
+    {
+      prop.Source->RenderOpaqueGeometry(frame.Renderer);
+    }
   }
   this->SetStage(SHADE);
 }
