@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -119,10 +120,12 @@ Figures Measure(const char* name, const Soup& soup, bool lightInside)
     auto triangles = soup.triangles;
     const auto start = Clock::now();
     mesh = BuildShadowMesh(std::move(points), std::move(triangles));
+    SetSoupApart(mesh, std::numeric_limits<std::uint32_t>::max());
     builds.push_back(MillisecondsSince(start));
   }
   std::vector<CastSign> signs;
-  VolumeIndices indices;
+  VolumeLists lists;
+  std::vector<std::uint32_t> numbers; // stands for the driver's memory
   for (int round = 0; round < 2 * rounds; ++round)
   {
     const double turn = 0.3 + 0.01 * round;
@@ -131,18 +134,22 @@ Figures Measure(const char* name, const Soup& soup, bool lightInside)
       : glm::dvec4(5.0 * std::cos(turn), 5.0 * std::sin(turn), 7.0, 1.0);
     const auto start = Clock::now();
     FaceTriangles(mesh, light, CastingFaces::Closed, signs);
-    EmitVolume(mesh, signs, false, indices);
+    const VolumeEmitter<float> emitter(mesh, signs, false);
+    numbers.resize(std::max(numbers.size(), emitter.Lists().Count()));
+    emitter.Write(numbers.data());
+    lists = emitter.Lists();
     lights.push_back(MillisecondsSince(start));
   }
   const double triangles = static_cast<double>(mesh.NumberOfTriangles());
-  // What the pass keeps of it: the mesh, its points once more for the driver, and the indices. The
-  // signs are needed by one caster at a time.
+  // What the pass keeps of it: the mesh, and with the driver its points once more and the lists.
   const double bytes = static_cast<double>(
-    mesh.MemoryInBytes() + mesh.points.size() * sizeof(glm::vec3) + indices.Count() * 4);
+    mesh.MemoryInBytes() + mesh.points.size() * sizeof(glm::vec3) + lists.Count() * 4);
+  const std::size_t sides = (lists.singles.count + 2 * lists.doubles.count) / 6 +
+    3 * (lists.threeSided.count + lists.turnedThreeSided.count) +
+    2 * (lists.twoSided.count + lists.turnedTwoSided.count);
   std::printf("| %s | %.2f | %.1f | %.1f | %.1f | %zu | %.0f + %.0f |\n", name, triangles / 1e6,
-    Median(builds), Median(lights), 1e-3 * triangles / Median(lights),
-    (indices.singles.size() + 2 * indices.doubles.size()) / 6, mesh.MemoryInBytes() / triangles,
-    (bytes - mesh.MemoryInBytes()) / triangles);
+    Median(builds), Median(lights), 1e-3 * triangles / Median(lights), sides,
+    mesh.MemoryInBytes() / triangles, (bytes - mesh.MemoryInBytes()) / triangles);
   std::fflush(stdout);
   return { mesh.NumberOfTriangles(), Median(builds), Median(lights) };
 }

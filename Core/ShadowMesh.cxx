@@ -513,20 +513,21 @@ Index NumberPieces(const EdgeTable& edges, std::vector<Index>& pieceOf)
   return closed;
 }
 
-// Triangles in the order of their pieces, and the edges with them.
-template <typename Real>
-void SortByPiece(
-  ShadowMesh<Real>& mesh, const std::vector<Index>& pieceOf, std::vector<Index> starts)
+// Triangles in the order of their groups, of which starts[group] are before, and the edges with
+// them.
+template <typename Group, typename Real>
+void SortByGroup(
+  ShadowMesh<Real>& mesh, const std::vector<Group>& groupOf, std::vector<Index> starts)
 {
-  if (std::is_sorted(pieceOf.begin(), pieceOf.end()))
+  if (std::is_sorted(groupOf.begin(), groupOf.end()))
   {
     return;
   }
-  const std::size_t count = pieceOf.size();
+  const std::size_t count = groupOf.size();
   std::vector<Index> place(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    place[i] = starts[pieceOf[i]]++;
+    place[i] = starts[groupOf[i]]++;
   }
   Triangles sorted(count);
   std::vector<Index> originals(mesh.originals.size());
@@ -606,7 +607,7 @@ void FindPieces(ShadowMesh<Real>& mesh)
     ++starts[piece + 1];
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  SortByPiece(mesh, pieceOf, starts);
+  SortByGroup(mesh, pieceOf, starts);
 
   for (Index i = 0; i <= closed; ++i)
   {
@@ -619,6 +620,7 @@ void FindPieces(ShadowMesh<Real>& mesh)
       mesh.pieces.push_back(piece);
     }
   }
+  mesh.pieces.shrink_to_fit();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed),
     [&mesh](const tbb::blocked_range<std::size_t>& range)
     {
@@ -629,10 +631,83 @@ void FindPieces(ShadowMesh<Real>& mesh)
     });
 }
 
+//------------------------------------------------------------------------------
+// Soup
+
+// By the number of borders, in the order of SoupTriangles::starts; 0: no soup.
+std::vector<std::uint8_t> GroupsOfSoup(const EdgeTable& edges, std::size_t triangles)
+{
+  std::vector<std::uint8_t> groups(triangles, 0);
+  for (const HalfEdge side : edges.borders)
+  {
+    groups[side / 3] |= 1u << side % 3;
+  }
+  constexpr std::uint8_t GroupOf[8] = { 0, 0, 0, 4, 0, 3, 2, 1 }; // by the sides that are borders
+  for (std::uint8_t& group : groups)
+  {
+    group = GroupOf[group];
+  }
+  return groups;
+}
+
+// Leaves those points that the first triangles use, and appends three for each of the others.
+template <typename Real>
+void TakeCornersApart(
+  ShadowMesh<Real>& mesh, std::size_t firstApart, std::size_t used, const std::vector<char>& isUsed)
+{
+  Triangles& triangles = mesh.triangles;
+  const std::size_t apart = triangles.size() - firstApart;
+  std::vector<glm::vec<3, Real>> points(used + 3 * apart);
+  ForEachBlock(apart,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          points[used + 3 * i + corner] = mesh.points[triangles[firstApart + i][corner]];
+        }
+      }
+    });
+  triangles.resize(firstApart);
+  if (used > 0)
+  {
+    std::vector<Index> number(mesh.points.size());
+    Index next = 0;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+      if (isUsed[i])
+      {
+        points[next] = mesh.points[i];
+        number[i] = next++;
+      }
+    }
+    for (glm::uvec3& t : triangles)
+    {
+      t = { number[t.x], number[t.y], number[t.z] };
+    }
+  }
+  mesh.points.swap(points);
+}
+
+// Whether every triangle has three points of its own, in order: no two share any.
+bool AreApart(const Triangles& triangles, std::size_t points)
+{
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const auto first = static_cast<Index>(3 * i);
+    if (triangles[i] != glm::uvec3(first, first + 1, first + 2))
+    {
+      return false;
+    }
+  }
+  return points == 3 * triangles.size();
+}
+
 template <typename T>
 std::size_t BytesOf(const std::vector<T>& values)
 {
-  return values.size() * sizeof(T);
+  return values.capacity() * sizeof(T);
 }
 
 }
@@ -667,9 +742,56 @@ ShadowMesh<Real> BuildShadowMesh(
   }
   Weld(mesh.points, mesh.triangles);
   DropTrianglesThatRepeatAPoint(mesh.triangles, keepOriginals ? &mesh.originals : nullptr);
+  mesh.triangles.shrink_to_fit();
   mesh.edges = FindEdges(mesh.triangles, mesh.points.size());
   FindPieces(mesh);
   return mesh;
+}
+
+//------------------------------------------------------------------------------
+template <typename Real>
+void SetSoupApart(ShadowMesh<Real>& mesh, std::size_t mostPoints)
+{
+  const std::vector<std::uint8_t> groups = GroupsOfSoup(mesh.edges, mesh.triangles.size());
+  std::vector<char> isUsed(mesh.points.size(), 0);
+  std::vector<Index> starts(6, 0);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    ++starts[groups[i] + 1];
+    if (groups[i] == 0)
+    {
+      const glm::uvec3& t = mesh.triangles[i];
+      isUsed[t.x] = isUsed[t.y] = isUsed[t.z] = 1;
+    }
+  }
+  const Index rest = starts[1];
+  const std::size_t apart = groups.size() - rest;
+  const std::size_t used = std::count(isUsed.begin(), isUsed.end(), 1);
+  if (apart == 0 || used + 3 * apart > mostPoints)
+  {
+    return;
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  SortByGroup(mesh, groups, starts);
+  std::vector<HalfEdge>& borders = mesh.edges.borders;
+  borders.erase(std::remove_if(borders.begin(), borders.end(),
+                  [rest](HalfEdge side) { return side / 3 >= rest; }),
+    borders.end());
+  borders.shrink_to_fit();
+  if (rest == 0 && AreApart(mesh.triangles, mesh.points.size()))
+  {
+    mesh.triangles.clear();
+  }
+  else
+  {
+    TakeCornersApart(mesh, rest, used, isUsed);
+  }
+  mesh.triangles.shrink_to_fit();
+  mesh.soup.firstPoint = static_cast<Index>(used);
+  for (int group = 0; group < 5; ++group)
+  {
+    mesh.soup.starts[group] = starts[group + 1] - rest;
+  }
 }
 
 template struct ShadowMesh<float>;
@@ -678,5 +800,7 @@ template ShadowMesh<float> BuildShadowMesh(
   std::vector<glm::vec3> points, std::vector<glm::uvec3> triangles, bool keepOriginals);
 template ShadowMesh<double> BuildShadowMesh(
   std::vector<glm::dvec3> points, std::vector<glm::uvec3> triangles, bool keepOriginals);
+template void SetSoupApart(ShadowMesh<float>& mesh, std::size_t mostPoints);
+template void SetSoupApart(ShadowMesh<double>& mesh, std::size_t mostPoints);
 
 }

@@ -13,6 +13,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -84,19 +85,51 @@ struct MeshPiece
   glm::dvec3 minimum{ 0.0 }, maximum{ 0.0 }; // of a closed piece's points
 };
 
+// Triangles of a mesh that are kept as their corners alone, three points each: those of which at
+// least two sides are borders (see SetSoupApart). They follow all others.
+struct SoupTriangles
+{
+  std::uint32_t firstPoint = 0;
+  // Counted from the first of them: starts[0] up to, not including, starts[1] have three borders;
+  // starts[g] up to starts[g + 1] all but side g - 1.
+  std::array<std::uint32_t, 5> starts{};
+
+  std::size_t NumberOfTriangles() const { return this->starts[4]; }
+  // Which side of triangle i is no border; 3: all are.
+  std::uint32_t InnerSide(std::uint32_t i) const
+  {
+    return i < this->starts[1] ? 3 : i < this->starts[2] ? 0 : i < this->starts[3] ? 1 : 2;
+  }
+};
+
 template <typename Real>
 struct ShadowMesh
 {
   using Point = glm::vec<3, Real>;
-  std::vector<Point> points;            // no two with the same bits
+  std::vector<Point> points;            // no two with the same bits, but for those of soup
   std::vector<glm::uvec3> triangles;    // three different points each; piece by piece
+  SoupTriangles soup;                   // none, unless set apart
   std::vector<std::uint32_t> originals; // of each triangle: its index in what the mesh was made of.
                                         // Empty unless asked for.
-  EdgeTable edges;
-  std::vector<MeshPiece> pieces; // closed ones, and at most one of all the others, the last
+  EdgeTable edges;                      // without the borders of soup
+  std::vector<MeshPiece> pieces;        // closed ones, and at most one of all the others, the last
 
-  std::size_t NumberOfTriangles() const { return this->triangles.size(); }
-  // Of the arrays, without their spare capacity.
+  std::size_t NumberOfTriangles() const
+  {
+    return this->triangles.size() + this->soup.NumberOfTriangles();
+  }
+  // The points of triangle i, of soup too.
+  glm::uvec3 Corners(std::size_t i) const
+  {
+    if (i < this->triangles.size())
+    {
+      return this->triangles[i];
+    }
+    const auto first =
+      static_cast<std::uint32_t>(this->soup.firstPoint + 3 * (i - this->triangles.size()));
+    return { first, first + 1, first + 2 };
+  }
+  // Of the arrays, with their spare capacity.
   std::size_t MemoryInBytes() const;
 };
 
@@ -108,12 +141,20 @@ template <typename Real>
 ShadowMesh<Real> BuildShadowMesh(std::vector<glm::vec<3, Real>> points,
   std::vector<glm::uvec3> triangles, bool keepOriginals = false);
 
+// Keep the triangles of two and three borders as soup: their corners and nothing else. Each has its
+// three points for itself, then; if that makes more than `mostPoints`, nothing is done. What casts,
+// and the floats of every corner, stay.
+template <typename Real>
+void SetSoupApart(ShadowMesh<Real>& mesh, std::size_t mostPoints);
+
 extern template struct ShadowMesh<float>;
 extern template struct ShadowMesh<double>;
 extern template ShadowMesh<float> BuildShadowMesh(
   std::vector<glm::vec3> points, std::vector<glm::uvec3> triangles, bool keepOriginals);
 extern template ShadowMesh<double> BuildShadowMesh(
   std::vector<glm::dvec3> points, std::vector<glm::uvec3> triangles, bool keepOriginals);
+extern template void SetSoupApart(ShadowMesh<float>& mesh, std::size_t mostPoints);
+extern template void SetSoupApart(ShadowMesh<double>& mesh, std::size_t mostPoints);
 
 }
 

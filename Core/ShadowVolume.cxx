@@ -84,33 +84,39 @@ void ForEachSilhouetteEdge(const EdgeTable& edges, const std::vector<CastSign>& 
   }
 }
 
-// What is written by blocks on all cores: counted first, so that each block knows its place.
-class BlockPlaces
+// What is written by blocks on all cores is counted first, so that each block knows its places:
+// calls use(first, last, counts) for each, with counts to be added to, and lays the lists out one
+// after another, from `start` on.
+template <std::size_t N, typename Use>
+std::vector<std::array<std::size_t, N>> LayOut(std::size_t count, std::size_t start,
+  const std::array<VolumeLists::List*, N>& lists, const Use& use)
 {
-public:
-  explicit BlockPlaces(std::size_t blocks)
-    : Counts(blocks + 1, 0)
-  {
-  }
-  void SetCount(std::size_t block, std::size_t count) { this->Counts[block + 1] = count; }
-  std::size_t Total()
-  {
-    for (std::size_t i = 1; i < this->Counts.size(); ++i)
+  std::vector<std::array<std::size_t, N>> places(NumberOfBlocks(count));
+  ForEachBlock(count,
+    [&](std::size_t block, std::size_t first, std::size_t last)
     {
-      this->Counts[i] += this->Counts[i - 1];
+      std::array<std::size_t, N> counts{};
+      use(first, last, counts);
+      places[block] = counts;
+    });
+  for (std::size_t list = 0; list < N; ++list)
+  {
+    lists[list]->first = start;
+    for (std::array<std::size_t, N>& place : places)
+    {
+      const std::size_t size = place[list];
+      place[list] = start;
+      start += size;
     }
-    return this->Counts.back();
+    lists[list]->count = start - lists[list]->first;
   }
-  std::size_t Place(std::size_t block) const { return this->Counts[block]; }
-
-private:
-  std::vector<std::size_t> Counts;
-};
+  return places;
+}
 
 template <typename Real>
 SilhouetteEdge EdgeOf(const ShadowMesh<Real>& mesh, HalfEdge side, int m, std::size_t number)
 {
-  const glm::uvec3& t = mesh.triangles[side / 3];
+  const glm::uvec3 t = mesh.Corners(side / 3);
   const Index corner = side % 3;
   const Index from = t[corner], to = t[corner == 2 ? 0 : corner + 1];
   const auto edge = static_cast<Index>(number);
@@ -143,86 +149,10 @@ Index* WriteSide(Index* out, const SilhouetteEdge& edge, bool oneImage)
   return out;
 }
 
-template <typename Real>
-void EmitSides(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, bool oneImage,
-  VolumeIndices& indices)
+// Which list of soup a casting triangle is in.
+std::size_t SoupListOf(CastSign sign, bool threeBorders)
 {
-  const std::size_t edges = mesh.edges.NumberOfEdges();
-  const std::size_t perSide = oneImage ? 3 : 6;
-  BlockPlaces singles(NumberOfBlocks(edges)), doubles(NumberOfBlocks(edges));
-  ForEachBlock(edges,
-    [&](std::size_t block, std::size_t first, std::size_t last)
-    {
-      std::size_t single = 0, twice = 0;
-      ForEachSilhouetteEdge(mesh.edges, signs, first, last,
-        [&](HalfEdge, int m, std::size_t)
-        {
-          single += SinglesOf(m);
-          twice += DoublesOf(m);
-        });
-      singles.SetCount(block, single * perSide);
-      doubles.SetCount(block, twice * perSide);
-    });
-  indices.singles.resize(singles.Total());
-  indices.doubles.resize(doubles.Total());
-  ForEachBlock(edges,
-    [&](std::size_t block, std::size_t first, std::size_t last)
-    {
-      Index* single = indices.singles.data() + singles.Place(block);
-      Index* twice = indices.doubles.data() + doubles.Place(block);
-      ForEachSilhouetteEdge(mesh.edges, signs, first, last,
-        [&](HalfEdge side, int m, std::size_t number)
-        {
-          const SilhouetteEdge edge = EdgeOf(mesh, side, m, number);
-          for (std::size_t n = 0; n < SinglesOf(m); ++n)
-          {
-            single = WriteSide(single, edge, oneImage);
-          }
-          for (std::size_t n = 0; n < DoublesOf(m); ++n)
-          {
-            twice = WriteSide(twice, edge, oneImage);
-          }
-        });
-    });
-}
-
-template <typename Real>
-void EmitCaps(
-  const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, VolumeIndices& indices)
-{
-  const std::size_t count = mesh.triangles.size();
-  BlockPlaces caps(NumberOfBlocks(count)), turnedCaps(NumberOfBlocks(count));
-  ForEachBlock(count,
-    [&](std::size_t block, std::size_t first, std::size_t last)
-    {
-      std::size_t facing = 0, turned = 0;
-      for (std::size_t i = first; i < last; ++i)
-      {
-        facing += signs[i] > 0 ? 3 : 0;
-        turned += signs[i] < 0 ? 3 : 0;
-      }
-      caps.SetCount(block, facing);
-      turnedCaps.SetCount(block, turned);
-    });
-  indices.caps.resize(caps.Total());
-  indices.turnedCaps.resize(turnedCaps.Total());
-  ForEachBlock(count,
-    [&](std::size_t block, std::size_t first, std::size_t last)
-    {
-      Index* facing = indices.caps.data() + caps.Place(block);
-      Index* turned = indices.turnedCaps.data() + turnedCaps.Place(block);
-      for (std::size_t i = first; i < last; ++i)
-      {
-        if (signs[i] != 0)
-        {
-          Index*& out = signs[i] > 0 ? facing : turned;
-          const glm::uvec3& t = mesh.triangles[i];
-          *out++ = 2 * t.x;
-          *out++ = 2 * t.y;
-          *out++ = 2 * t.z;
-        }
-      }
-    });
+  return sign > 0 ? (threeBorders ? 0 : 1) : (threeBorders ? 3 : 2);
 }
 
 }
@@ -232,13 +162,13 @@ template <typename Real>
 void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, CastingFaces which,
   std::vector<CastSign>& signs)
 {
-  signs.resize(mesh.triangles.size());
+  signs.resize(mesh.NumberOfTriangles());
   std::vector<SignRule> rules;
   for (const MeshPiece& piece : mesh.pieces)
   {
     rules.push_back(RuleOf(piece, light, which));
   }
-  ForEachBlock(mesh.triangles.size(),
+  ForEachBlock(signs.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       // The piece that `first` is in, and those after it.
@@ -251,7 +181,7 @@ void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, Castin
         const std::size_t end = std::min<std::size_t>(last, mesh.pieces[piece].last);
         for (; i < end; ++i)
         {
-          const glm::uvec3& t = mesh.triangles[i];
+          const glm::uvec3 t = mesh.Corners(i);
           const glm::dvec3 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
           const glm::dvec3 normal = glm::cross(b - a, c - a);
           const bool faces = glm::dot(normal, glm::dvec3(light) - a * light.w) > 0.0;
@@ -270,15 +200,121 @@ void FindSilhouette(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& s
   ForEachSilhouetteEdge(mesh.edges, signs, 0, mesh.edges.NumberOfEdges(),
     [&](HalfEdge side, int m, std::size_t number)
     { silhouette.push_back(EdgeOf(mesh, side, m, number)); });
+  std::size_t number = mesh.edges.NumberOfEdges();
+  for (std::size_t i = mesh.triangles.size(); i < mesh.NumberOfTriangles(); ++i)
+  {
+    const auto triangle = static_cast<Index>(i - mesh.triangles.size());
+    for (Index side = 0; side < 3; ++side)
+    {
+      if (side != mesh.soup.InnerSide(triangle) && signs[i] != 0)
+      {
+        silhouette.push_back(EdgeOf(mesh, static_cast<HalfEdge>(3 * i + side), signs[i], number++));
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 template <typename Real>
-void EmitVolume(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, bool oneImage,
-  VolumeIndices& indices)
+VolumeEmitter<Real>::VolumeEmitter(
+  const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, bool oneImage)
+  : Mesh(mesh)
+  , Signs(signs)
+  , OneImage(oneImage)
 {
-  EmitSides(mesh, signs, oneImage, indices);
-  EmitCaps(mesh, signs, indices);
+  VolumeLists& lists = this->Found;
+  const std::size_t others = mesh.triangles.size();
+  const SoupTriangles& soup = mesh.soup;
+  this->SoupPlaces = LayOut<4>(soup.NumberOfTriangles(), 0,
+    { &lists.threeSided, &lists.twoSided, &lists.turnedTwoSided, &lists.turnedThreeSided },
+    [&](std::size_t first, std::size_t last, std::array<std::size_t, 4>& counts)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const CastSign sign = signs[others + i];
+        counts[SoupListOf(sign, i < soup.starts[1])] += sign != 0 ? 1 : 0;
+      }
+    });
+  const std::size_t perSide = oneImage ? 3 : 6;
+  this->SidePlaces = LayOut<2>(mesh.edges.NumberOfEdges(), lists.turnedThreeSided.End(),
+    { &lists.singles, &lists.doubles },
+    [&](std::size_t first, std::size_t last, std::array<std::size_t, 2>& counts)
+    {
+      ForEachSilhouetteEdge(mesh.edges, signs, first, last,
+        [&](HalfEdge, int m, std::size_t)
+        {
+          counts[0] += SinglesOf(m) * perSide;
+          counts[1] += DoublesOf(m) * perSide;
+        });
+    });
+  this->CapPlaces = LayOut<2>(others, lists.doubles.End(), { &lists.caps, &lists.turnedCaps },
+    [&](std::size_t first, std::size_t last, std::array<std::size_t, 2>& counts)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        counts[0] += signs[i] > 0 ? 3 : 0;
+        counts[1] += signs[i] < 0 ? 3 : 0;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename Real>
+void VolumeEmitter<Real>::Write(std::uint32_t* numbers) const
+{
+  const ShadowMesh<Real>& mesh = this->Mesh;
+  const std::vector<CastSign>& signs = this->Signs;
+  const std::size_t others = mesh.triangles.size();
+  ForEachBlock(mesh.soup.NumberOfTriangles(),
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      std::array<std::size_t, 4> places = this->SoupPlaces[block];
+      for (auto i = static_cast<Index>(first); i < last; ++i)
+      {
+        const CastSign sign = signs[others + i];
+        if (sign != 0)
+        {
+          const Index innerSide = mesh.soup.InnerSide(i);
+          numbers[places[SoupListOf(sign, innerSide == 3)]++] = SoupEntry(i, innerSide);
+        }
+      }
+    });
+  ForEachBlock(mesh.edges.NumberOfEdges(),
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      Index* single = numbers + this->SidePlaces[block][0];
+      Index* twice = numbers + this->SidePlaces[block][1];
+      ForEachSilhouetteEdge(mesh.edges, signs, first, last,
+        [&](HalfEdge side, int m, std::size_t number)
+        {
+          const SilhouetteEdge edge = EdgeOf(mesh, side, m, number);
+          for (std::size_t n = 0; n < SinglesOf(m); ++n)
+          {
+            single = WriteSide(single, edge, this->OneImage);
+          }
+          for (std::size_t n = 0; n < DoublesOf(m); ++n)
+          {
+            twice = WriteSide(twice, edge, this->OneImage);
+          }
+        });
+    });
+  ForEachBlock(others,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      Index* facing = numbers + this->CapPlaces[block][0];
+      Index* turned = numbers + this->CapPlaces[block][1];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (signs[i] != 0)
+        {
+          Index*& out = signs[i] > 0 ? facing : turned;
+          const glm::uvec3& t = mesh.triangles[i];
+          *out++ = 2 * t.x;
+          *out++ = 2 * t.y;
+          *out++ = 2 * t.z;
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -288,12 +324,12 @@ int CountCrossed(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& sign
 {
   const glm::dvec3 origin = glm::dvec3(light) / light.w;
   return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), BlockSize), 0,
+    tbb::blocked_range<std::size_t>(0, mesh.NumberOfTriangles(), BlockSize), 0,
     [&](const tbb::blocked_range<std::size_t>& range, int count)
     {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
-        const glm::uvec3& t = mesh.triangles[i];
+        const glm::uvec3 t = mesh.Corners(i);
         const glm::dvec3 a = glm::dvec3(mesh.points[t.x]) - origin;
         const glm::dvec3 b = glm::dvec3(mesh.points[t.y]) - origin;
         const glm::dvec3 c = glm::dvec3(mesh.points[t.z]) - origin;
@@ -319,10 +355,8 @@ template void FindSilhouette(const ShadowMesh<float>& mesh, const std::vector<Ca
   std::vector<SilhouetteEdge>& silhouette);
 template void FindSilhouette(const ShadowMesh<double>& mesh, const std::vector<CastSign>& signs,
   std::vector<SilhouetteEdge>& silhouette);
-template void EmitVolume(const ShadowMesh<float>& mesh, const std::vector<CastSign>& signs,
-  bool oneImage, VolumeIndices& indices);
-template void EmitVolume(const ShadowMesh<double>& mesh, const std::vector<CastSign>& signs,
-  bool oneImage, VolumeIndices& indices);
+template class VolumeEmitter<float>;
+template class VolumeEmitter<double>;
 template int CountCrossed(const ShadowMesh<float>& mesh, const std::vector<CastSign>& signs,
   const glm::dvec4& light, const glm::dvec3& direction);
 template int CountCrossed(const ShadowMesh<double>& mesh, const std::vector<CastSign>& signs,

@@ -15,6 +15,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <array>
+
 namespace vtkshadows
 {
 
@@ -42,40 +44,75 @@ struct SilhouetteEdge
   std::uint32_t from = 0, to = 0; // points of the mesh
   std::uint32_t multiplicity = 1; // how many sides stand on it, at least 1
   HalfEdge side = 0;              // the first of its half-edges, plain
-  std::uint32_t edge = 0;         // its number; see EdgeTable::ForEachSide
+  std::uint32_t edge = 0;         // its number; see EdgeTable::ForEachSide. A border of soup is in
+                                  // no table: NumberOfEdges() and above
 };
 
 template <typename Real>
 void FindSilhouette(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs,
   std::vector<SilhouetteEdge>& silhouette);
 
-// The volume as indices for drawing: 2 * point, and 2 * point + 1 for the point's image at the far
-// end, away from the light.
-struct VolumeIndices
+// A volume as lists of numbers for drawing, one after another in one array.
+struct VolumeLists
 {
+  struct List
+  {
+    std::size_t first = 0;
+    std::size_t count = 0; // numbers
+
+    std::size_t End() const { return this->first + this->count; }
+  };
+  // The casting triangles of soup, each as SoupEntry: those that face the light as they are wound,
+  // and those that do not; with three borders and with two. Caps and sides of them are drawn by
+  // this alone: a side stands on each border.
+  List threeSided, twoSided, turnedTwoSided, turnedThreeSided;
+
+  // Of all others, indices: 2 * point, and 2 * point + 1 for the point's image at the far end, away
+  // from the light.
   // Sides, their outer face counter-clockwise: a quad as two triangles; with `oneImage` one
   // triangle, whose third corner is an image.
   // Each of `doubles` counts as two sides: an edge of multiplicity m has m / 2 of them, and one of
   // `singles` if m is odd.
-  std::vector<std::uint32_t> singles;
-  std::vector<std::uint32_t> doubles;
+  List singles, doubles;
   // The casting triangles in their own order of corners (so that they are drawn with the same
   // rounding as the surface itself): those that face the light as they are wound, and those that do
   // not, which are to be taken as turned round.
-  std::vector<std::uint32_t> caps;
-  std::vector<std::uint32_t> turnedCaps;
+  List caps, turnedCaps;
 
-  std::size_t Count() const
-  {
-    return this->singles.size() + this->doubles.size() + this->caps.size() +
-      this->turnedCaps.size();
-  }
+  std::size_t Count() const { return this->turnedCaps.End(); }
 };
 
-// `oneImage`: sides end in one point (a directional light's, infinitely long).
+// Triangle i of soup, and in the two highest bits its SoupTriangles::InnerSide.
+constexpr std::uint32_t SoupEntry(std::uint32_t i, std::uint32_t innerSide)
+{
+  return i | innerSide << 30;
+}
+
+// Emits the volume of casting triangles in two steps, so that it is written where it will stay.
+// `oneImage`: sides end in one point (a directional light's, infinitely long). Both, the mesh and
+// the signs, must outlive it.
 template <typename Real>
-void EmitVolume(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, bool oneImage,
-  VolumeIndices& indices);
+class VolumeEmitter
+{
+public:
+  VolumeEmitter(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& signs, bool oneImage);
+
+  const VolumeLists& Lists() const { return this->Found; }
+  // Write all lists to `numbers`, which has room for Lists().Count().
+  void Write(std::uint32_t* numbers) const;
+
+private:
+  // Where each block of a loop writes in each of N lists.
+  template <std::size_t N>
+  using Places = std::vector<std::array<std::size_t, N>>;
+
+  const ShadowMesh<Real>& Mesh;
+  const std::vector<CastSign>& Signs;
+  bool OneImage;
+  VolumeLists Found;
+  Places<4> SoupPlaces;
+  Places<2> SidePlaces, CapPlaces;
+};
 
 // How many casting triangles the ray from the light in `direction` crosses: in how many prisms the
 // point at infinity there lies. For a light with a position.

@@ -307,8 +307,8 @@ void vtkRayCastShadowPass::Internals::PlaceFrame(const vtkShadowScene& scene)
     {
       for (const glm::dvec3& corner : piece.CornersWC)
       {
-        low = prop.Casts ? glm::min(low, corner) : low;
-        high = prop.Casts ? glm::max(high, corner) : high;
+        low = prop.CastsRays ? glm::min(low, corner) : low;
+        high = prop.CastsRays ? glm::max(high, corner) : high;
       }
     }
   }
@@ -390,7 +390,7 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
     std::string skipped;
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
-      if (!prop.Casts)
+      if (!prop.CastsRays)
       {
         continue;
       }

@@ -21,12 +21,14 @@
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -45,6 +47,7 @@ vtkStandardNewMacro(vtkShadowPass);
 vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOWS, Integer);
 vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOWS, Integer);
 vtkInformationKeyRestrictedMacro(vtkShadowPass, SHADOW_CATCHER, DoubleVector, 5);
+vtkInformationKeyRestrictedMacro(vtkShadowPass, CASTER_STAND_IN, ObjectBase, "vtkPolyData");
 
 namespace
 {
@@ -134,11 +137,12 @@ vtkInformation* KeysOf(vtkProp* prop)
   return prop->GetPropertyKeys();
 }
 
-void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool value)
+template <typename Key, typename Value>
+void SetKey(vtkProp* prop, Key* key, Value value)
 {
   if (prop)
   {
-    KeysOf(prop)->Set(key, value ? 1 : 0);
+    KeysOf(prop)->Set(key, value);
   }
 }
 
@@ -766,12 +770,23 @@ vtkShadowScene* vtkShadowPass::GetScene()
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetCastsShadows(vtkProp* prop, bool casts)
 {
-  SetKey(prop, vtkShadowPass::CASTS_SHADOWS(), casts);
+  SetKey(prop, vtkShadowPass::CASTS_SHADOWS(), casts ? 1 : 0);
 }
 
 void vtkShadowPass::SetReceivesShadows(vtkProp* prop, bool receives)
 {
-  SetKey(prop, vtkShadowPass::RECEIVES_SHADOWS(), receives);
+  SetKey(prop, vtkShadowPass::RECEIVES_SHADOWS(), receives ? 1 : 0);
+}
+
+void vtkShadowPass::SetStandIn(vtkProp* prop, vtkPolyData* mesh)
+{
+  SetKey(prop, vtkShadowPass::CASTER_STAND_IN(), mesh); // nullptr removes the key
+}
+
+vtkPolyData* vtkShadowPass::GetStandIn(vtkProp* prop)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  return keys ? vtkPolyData::SafeDownCast(keys->Get(vtkShadowPass::CASTER_STAND_IN())) : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
  * keys say otherwise (SetCastsShadows and SetReceivesShadows write them):
  * CASTS_SHADOWS 0: never a caster; 1: a caster even if translucent, then as if opaque.
  * RECEIVES_SHADOWS 0: always lit.
+ * A third, CASTER_STAND_IN (SetStandIn), has another mesh cast in a prop's place.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
  * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
  * (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but shadow.
@@ -56,7 +57,9 @@ class vtkDepthShadowMapPass;
 class vtkImageData;
 class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
+class vtkInformationObjectBaseKey;
 class vtkLight;
+class vtkPolyData;
 class vtkProp;
 class vtkRayCastShadowPass;
 class vtkRenderer;
@@ -252,6 +255,21 @@ public:
    * The key that makes a prop a catcher, if it is translucent: red, green, blue, strength, fade.
    */
   static vtkInformationDoubleVectorKey* SHADOW_CATCHER();
+
+  ///@{
+  /**
+   * A mesh that casts in place of a prop that casts, a decimated or convex one say: the key, in the
+   * prop's property keys, its setter and its getter; nullptr (default): the prop itself. It is
+   * given in the prop's own coordinates and follows the prop's matrix; edited in place, it must be
+   * told so by Modified(). A mesh without triangles, or an infinite one, is left out with one
+   * warning. "ray-cast", the truth that errors are held against, casts with the prop all the same.
+   * The prop receives its stand-in's shadow as any other: where it lies behind that, as in a hull
+   * around it, it is dark; choose a mesh that lies within it, or let the prop receive nothing.
+   */
+  static vtkInformationObjectBaseKey* CASTER_STAND_IN();
+  static void SetStandIn(vtkProp* prop, vtkPolyData* mesh);
+  static vtkPolyData* GetStandIn(vtkProp* prop);
+  ///@}
 
 protected:
   vtkShadowPass();

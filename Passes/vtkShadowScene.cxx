@@ -14,10 +14,12 @@
 #include "vtkFollower.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLODProp3D.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -32,6 +34,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -201,6 +204,16 @@ bool HasKey(vtkProp* prop, vtkInformationIntegerKey* key)
   return keys && keys->Has(key);
 }
 
+// Whether a mesh has triangles, and is not infinite.
+bool CanCast(vtkPolyData* mesh)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  return mesh->GetNumberOfPoints() > 0 &&
+    mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 &&
+    std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); });
+}
+
 int KeyOr(vtkProp* prop, vtkInformationIntegerKey* key, int otherwise)
 {
   return HasKey(prop, key) ? prop->GetPropertyKeys()->Get(key) : otherwise;
@@ -258,6 +271,39 @@ bool DrawsImpostors(const Scene::Piece& piece)
       actor->GetProperty()->GetRenderLinesAsTubes());
 }
 
+// A mesh as an actor, which is kept as long as its prop has it, so that nothing is built anew.
+class StandIn
+{
+public:
+  StandIn()
+  {
+    this->Mapper->ScalarVisibilityOff(); // translucent colours would not be drawn into a map
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetUserMatrix(this->Matrix);
+  }
+
+  // Follow the mesh, and the matrix of the prop that it stands in for.
+  vtkActor* Update(vtkPolyData* mesh, vtkMatrix4x4* matrix)
+  {
+    if (this->Mapper->GetInput() != mesh)
+    {
+      this->Mapper->SetInputData(mesh);
+    }
+    if (matrix)
+    {
+      this->Matrix->DeepCopy(matrix);
+    }
+    return this->Actor;
+  }
+
+  bool Used = false;
+
+private:
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkMatrix4x4> Matrix;
+};
+
 }
 
 //------------------------------------------------------------------------------
@@ -270,11 +316,14 @@ public:
   std::vector<std::uint64_t> CasterSignature;
   vtkTimeStamp CasterTime;
   std::set<vtkProp*> Unbounded, UnboundedBefore; // of this frame, and of the last
+  std::map<vtkProp*, StandIn> StandIns;          // by the prop that has it
+  std::set<vtkProp*> Unfit, UnfitBefore;         // whose stand-in cannot cast
 
   void GatherLights(vtkRenderer* renderer);
   void GatherProps(vtkRenderer* renderer);
   void StampCasters();
   void AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4* matrix);
+  void AddStandIn();
   glm::dvec4 PlaneOf(vtkMapper* mapper);
 };
 
@@ -391,6 +440,12 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
   this->Props.clear();
   this->UnboundedBefore.swap(this->Unbounded);
   this->Unbounded.clear();
+  this->UnfitBefore.swap(this->Unfit);
+  this->Unfit.clear();
+  for (auto& known : this->StandIns)
+  {
+    known.second.Used = false;
+  }
   vtkCollectionSimpleIterator it;
   vtkPropCollection* props = renderer->GetViewProps();
   props->InitTraversal(it);
@@ -417,6 +472,7 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
     // A follower is a label: it turns with the eye.
     const int isScenery = source->IsA("vtkFollower") ? 0 : 1;
     prop.Casts = KeyOr(source, vtkShadowPass::CASTS_SHADOWS(), isScenery && !prop.Translucent) != 0;
+    prop.CastsRays = prop.Casts;
     prop.Receives = KeyOr(source, vtkShadowPass::RECEIVES_SHADOWS(), isScenery) != 0;
     if (prop.Translucent && vtkShadowPass::IsShadowCatcher(source))
     {
@@ -425,7 +481,40 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
       prop.Receives = true;
     }
     this->Props.push_back(std::move(prop));
+    this->AddStandIn();
   }
+  for (auto known = this->StandIns.begin(); known != this->StandIns.end();)
+  {
+    known = known->second.Used ? std::next(known) : this->StandIns.erase(known);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If the last prop casts by another mesh: that, as one more prop.
+void vtkShadowScene::Internals::AddStandIn()
+{
+  vtkProp* source = this->Props.back().Source;
+  vtkPolyData* mesh = vtkShadowPass::GetStandIn(source);
+  if (!mesh || !this->Props.back().Casts)
+  {
+    return;
+  }
+  if (!CanCast(mesh))
+  {
+    this->Unfit.insert(source);
+    return;
+  }
+  StandIn& standIn = this->StandIns[source];
+  standIn.Used = true;
+  vtkActor* actor = standIn.Update(mesh, source->GetMatrix());
+  Prop prop;
+  prop.Source = actor;
+  prop.CastsRays = false;
+  prop.Receives = false;
+  prop.StandsInFor = source;
+  this->AddPiece(prop, actor, actor->GetMatrix());
+  this->Props.back().Casts = false;
+  this->Props.push_back(std::move(prop));
 }
 
 //------------------------------------------------------------------------------
@@ -434,9 +523,10 @@ void vtkShadowScene::Internals::StampCasters()
   std::vector<std::uint64_t> signature;
   for (const Prop& prop : this->Props)
   {
-    if (prop.Casts)
+    if (prop.Casts || prop.CastsRays)
     {
       Append(signature, prop.Source);
+      Append(signature, prop.Casts); // not, if a stand-in does
       for (const Piece& piece : prop.Pieces)
       {
         signature.insert(signature.end(), piece.Signature.begin(), piece.Signature.end());
@@ -474,6 +564,16 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
            "points that are infinite, or repair its matrix.");
     }
   }
+  for (vtkProp* prop : this->Internal->Unfit)
+  {
+    if (this->Internal->UnfitBefore.count(prop) == 0)
+    {
+      vtkWarningMacro("The prop "
+        << prop->GetClassName() << " (" << prop
+        << ") has a stand-in without triangles, or one that is infinite: it casts itself. Give "
+           "SetStandIn a mesh with polygons or strips, or nullptr to remove it.");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -503,7 +603,7 @@ int vtkShadowScene::GetNumberOfCasters() const
   int count = 0;
   for (const Prop& prop : this->Internal->Props)
   {
-    count += prop.Casts ? 1 : 0;
+    count += prop.CastsRays ? 1 : 0; // one with a stand-in once
   }
   return count;
 }

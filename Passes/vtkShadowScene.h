@@ -55,7 +55,7 @@ public:
   // lightColor<i> in VTK's shaders.
   const std::vector<Light>& GetLights() const;
 
-  // Every visible prop with something to draw in 3D.
+  // Every visible prop with something to draw in 3D, and after it its stand-in, if that casts.
   const std::vector<Prop>& GetProps() const;
 
   void Gather(vtkRenderer* renderer);

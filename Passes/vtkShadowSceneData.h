@@ -49,7 +49,10 @@ struct vtkShadowScene::Prop
 {
   vtkProp* Source = nullptr;
   bool Casts = true;
+  bool CastsRays = true; // as the ray cast has it: of a prop with a stand-in, the prop
   bool Receives = true;
+  // Of a stand-in, the prop in whose place it casts: it is no part of the frame.
+  vtkProp* StandsInFor = nullptr;
   bool Translucent = false;
   bool Catches = false; // a shadow catcher: translucent, receives, casts nothing
   // Draws impostors (spheres, sticks, points as spheres, lines as tubes), whose shaders ask whether

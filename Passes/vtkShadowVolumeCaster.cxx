@@ -4,6 +4,7 @@
 #include "vtkShadowOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,19 +16,6 @@ using vtkshadows::CastingFaces;
 namespace
 {
 
-// Scratch of the thread that draws: kept, so that a moving light allocates nothing.
-struct Scratch
-{
-  std::vector<vtkshadows::CastSign> Signs;
-  vtkshadows::VolumeIndices Indices;
-};
-
-Scratch& SharedScratch()
-{
-  static thread_local Scratch scratch;
-  return scratch;
-}
-
 unsigned int MakeBuffer(GLenum target, const void* data, std::size_t bytes)
 {
   unsigned int buffer = 0;
@@ -36,6 +24,21 @@ unsigned int MakeBuffer(GLenum target, const void* data, std::size_t bytes)
   glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
   return buffer;
 }
+
+// Binds a texture of a buffer, and what was bound before again.
+class ScopedBufferTexture
+{
+public:
+  explicit ScopedBufferTexture(GLuint texture)
+  {
+    glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &this->Before);
+    glBindTexture(GL_TEXTURE_BUFFER, texture);
+  }
+  ~ScopedBufferTexture() { glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(this->Before)); }
+
+private:
+  GLint Before = 0;
+};
 
 }
 
@@ -84,6 +87,7 @@ void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
       std::to_string(most) + " that this OpenGL driver takes at once";
     this->Mesh = {};
   }
+  vtkshadows::SetSoupApart(this->Mesh, static_cast<std::size_t>(most));
   if (!this->IsEmpty())
   {
     this->UploadPoints();
@@ -94,32 +98,30 @@ void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
 void vtkShadowVolumeCaster::UploadPoints()
 {
   const std::vector<glm::vec3>& points = this->Mesh.points;
-  GLint before = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &before);
   glGenTextures(1, &this->PointTexture);
-  glBindTexture(GL_TEXTURE_BUFFER, this->PointTexture);
+  const ScopedBufferTexture bound(this->PointTexture);
   // Three floats a texel came with OpenGL 4.0; before, a fourth is padding.
   GLint major = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   if (major >= 4)
   {
-    this->PointBuffer =
-      MakeBuffer(GL_TEXTURE_BUFFER, points.data(), points.size() * sizeof(glm::vec3));
+    this->PointBytes = points.size() * sizeof(glm::vec3);
+    this->PointBuffer = MakeBuffer(GL_TEXTURE_BUFFER, points.data(), this->PointBytes);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGB32F, this->PointBuffer);
   }
   else
   {
     std::vector<glm::vec4> padded;
+    padded.reserve(points.size());
     for (const glm::vec3& p : points)
     {
       padded.emplace_back(p, 1.0f);
     }
-    this->PointBuffer =
-      MakeBuffer(GL_TEXTURE_BUFFER, padded.data(), padded.size() * sizeof(glm::vec4));
+    this->PointBytes = padded.size() * sizeof(glm::vec4);
+    this->PointBuffer = MakeBuffer(GL_TEXTURE_BUFFER, padded.data(), this->PointBytes);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->PointBuffer);
   }
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
-  glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(before));
 }
 
 //------------------------------------------------------------------------------
@@ -143,51 +145,59 @@ const vtkShadowVolumeCaster::Volume& vtkShadowVolumeCaster::UpdateVolume(
   {
     return volume;
   }
-  Scratch& scratch = SharedScratch();
-  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, scratch.Signs);
-  vtkshadows::EmitVolume(this->Mesh, scratch.Signs, oneImage, scratch.Indices);
-
-  volume.Built = true;
+  std::vector<vtkshadows::CastSign> signs;
+  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, signs);
+  const vtkshadows::VolumeEmitter<float> emitter(this->Mesh, signs, oneImage);
   volume.LightTC = lightTC;
   volume.OneImage = oneImage;
   volume.Faces = faces;
-  volume.Bytes = scratch.Indices.Count() * sizeof(std::uint32_t);
+  volume.Built = Upload(emitter, volume);
+  ++built;
+  return volume;
+}
+
+//------------------------------------------------------------------------------
+// Written straight into the driver's memory: nothing of it is kept on this side. false if that got
+// lost meanwhile, as OpenGL allows; then it is done again with the next frame.
+bool vtkShadowVolumeCaster::Upload(const vtkshadows::VolumeEmitter<float>& emitter, Volume& volume)
+{
+  volume.Lists = emitter.Lists();
+  volume.Bytes = volume.Lists.Count() * sizeof(std::uint32_t);
   if (!volume.Buffer)
   {
     glGenBuffers(1, &volume.Buffer);
+    glGenTextures(1, &volume.Texture);
   }
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, volume.Buffer);
-  glBufferData(
-    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(volume.Bytes), nullptr, GL_DYNAMIC_DRAW);
-  std::size_t first = 0;
-  const auto upload = [&first](const std::vector<std::uint32_t>& indices, Section& section)
+  const auto bytes = static_cast<GLsizeiptr>(volume.Bytes);
+  glBindBuffer(GL_TEXTURE_BUFFER, volume.Buffer);
+  glBufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_DYNAMIC_DRAW);
+  bool isWritten = true;
+  if (bytes > 0)
   {
-    section.First = first;
-    section.Count = indices.size();
-    if (!indices.empty())
+    void* numbers = glMapBufferRange(
+      GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    if (numbers)
     {
-      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(first * sizeof(std::uint32_t)),
-        static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data());
+      emitter.Write(static_cast<std::uint32_t*>(numbers));
     }
-    first += indices.size();
-  };
-  upload(scratch.Indices.singles, volume.Singles);
-  upload(scratch.Indices.doubles, volume.Doubles);
-  upload(scratch.Indices.caps, volume.Caps);
-  upload(scratch.Indices.turnedCaps, volume.TurnedCaps);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  ++built;
-  return volume;
+    isWritten = numbers && glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;
+    // Soup comes first, and has fewer triangles than points: it is within what a texture may have.
+    const ScopedBufferTexture bound(volume.Texture);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, volume.Buffer);
+  }
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  volume.Lists = isWritten ? volume.Lists : vtkshadows::VolumeLists();
+  return isWritten;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCaster::FindSilhouette(const Volume& volume, std::vector<std::uint32_t>& single,
   std::vector<std::uint32_t>& several) const
 {
-  Scratch& scratch = SharedScratch();
+  std::vector<vtkshadows::CastSign> signs;
   std::vector<vtkshadows::SilhouetteEdge> edges;
-  vtkshadows::FaceTriangles(this->Mesh, volume.LightTC, volume.Faces, scratch.Signs);
-  vtkshadows::FindSilhouette(this->Mesh, scratch.Signs, edges);
+  vtkshadows::FaceTriangles(this->Mesh, volume.LightTC, volume.Faces, signs);
+  vtkshadows::FindSilhouette(this->Mesh, signs, edges);
   for (const vtkshadows::SilhouetteEdge& edge : edges)
   {
     std::vector<std::uint32_t>& out = edge.multiplicity == 1 ? single : several;
@@ -200,24 +210,28 @@ void vtkShadowVolumeCaster::FindSilhouette(const Volume& volume, std::vector<std
 int vtkShadowVolumeCaster::CountAtInfinity(
   const glm::dvec4& lightWC, const glm::dvec3& directionWC, CastingFaces faces) const
 {
-  Scratch& scratch = SharedScratch();
+  std::vector<vtkshadows::CastSign> signs;
   const glm::dvec4 lightTC = this->ToCaster(lightWC);
   const glm::dvec3 directionTC(glm::inverse(this->WorldFromCaster) * glm::dvec4(directionWC, 0.0));
-  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, scratch.Signs);
-  return vtkshadows::CountCrossed(this->Mesh, scratch.Signs, lightTC, directionTC);
+  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, signs);
+  return vtkshadows::CountCrossed(this->Mesh, signs, lightTC, directionTC);
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumeCaster::BindPoints() const
+void vtkShadowVolumeCaster::Bind(
+  vtkOpenGLState* state, const Volume& volume, int points, int lists) const
 {
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(lists));
+  glBindTexture(GL_TEXTURE_BUFFER, volume.Texture);
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(points));
   glBindTexture(GL_TEXTURE_BUFFER, this->PointTexture);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, volume.Buffer);
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkShadowVolumeCaster::MemoryInBytes() const
 {
-  std::size_t bytes = this->Mesh.MemoryInBytes();
-  bytes += this->PointBuffer ? this->Mesh.points.size() * sizeof(glm::vec3) : 0;
+  std::size_t bytes = this->Mesh.MemoryInBytes() + this->PointBytes;
   for (const Volume& volume : this->Volumes)
   {
     bytes += volume.Bytes;
@@ -236,6 +250,7 @@ void vtkShadowVolumeCaster::Release()
   {
     if (volume.Buffer && this->Window)
     {
+      glDeleteTextures(1, &volume.Texture);
       glDeleteBuffers(1, &volume.Buffer);
     }
   }
@@ -247,5 +262,6 @@ void vtkShadowVolumeCaster::Release()
   }
   this->PointTexture = 0;
   this->PointBuffer = 0;
+  this->PointBytes = 0;
   this->Shape.clear();
 }

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+class vtkOpenGLState;
+
 class vtkShadowVolumeCaster
 {
 public:
@@ -32,26 +34,20 @@ public:
   // Why the whole caster is left out, or what of it; empty: nothing.
   const std::string& GetFault() const { return this->Fault; }
   const std::string& GetSkipped() const { return this->Skipped; }
-  bool IsEmpty() const { return this->Mesh.triangles.empty(); }
+  bool IsEmpty() const { return this->Mesh.NumberOfTriangles() == 0; }
 
   const glm::dmat4& GetWorldFromCaster() const { return this->WorldFromCaster; }
   bool IsMirrored() const { return this->Mirrored; }
   const vtkshadows::ShadowMesh<float>& GetMesh() const { return this->Mesh; }
 
-  // A part of a volume's index buffer.
-  struct Section
-  {
-    std::size_t First = 0;
-    std::size_t Count = 0;
-  };
   struct Volume
   {
     bool Built = false;
     glm::dvec4 LightTC{ 0.0 };
     bool OneImage = false;
     vtkshadows::CastingFaces Faces = vtkshadows::CastingFaces::Closed;
-    Section Singles, Doubles, Caps, TurnedCaps;
-    unsigned int Buffer = 0;
+    vtkshadows::VolumeLists Lists; // in the buffer, which OpenGL takes as indices and as a texture
+    unsigned int Buffer = 0, Texture = 0;
     std::size_t Bytes = 0;
   };
 
@@ -72,9 +68,11 @@ public:
   int CountAtInfinity(
     const glm::dvec4& lightWC, const glm::dvec3& directionWC, vtkshadows::CastingFaces faces) const;
 
-  // Attach the points to the active texture unit.
-  void BindPoints() const;
+  // Attach the points to the texture unit `points`, which is left active, and the volume's lists to
+  // `lists` and as indices.
+  void Bind(vtkOpenGLState* state, const Volume& volume, int points, int lists) const;
 
+  // On both sides: the mesh, and with the driver its points and the volumes.
   std::size_t MemoryInBytes() const;
   void Release();
 
@@ -84,6 +82,7 @@ public:
 private:
   void Rebuild(const vtkShadowScene::Piece& piece);
   void UploadPoints();
+  static bool Upload(const vtkshadows::VolumeEmitter<float>& emitter, Volume& volume);
 
   std::vector<std::uint64_t> Shape;
   std::string MeshFault, Fault, Skipped; // of the shape alone, and with the matrix
@@ -93,6 +92,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   unsigned int PointBuffer = 0, PointTexture = 0;
+  std::size_t PointBytes = 0;
   std::deque<Volume> Volumes; // by slot; who draws holds on to them
 };
 

@@ -38,6 +38,66 @@ constexpr int MostInStencil = 255;
 // light.
 constexpr float SmoothedSteps = 2.0f;
 
+// Sides of soup are drawn by the same indices over and over, of so many triangles.
+constexpr std::uint32_t SoupBatch = 512;
+
+// Indices of one triangle's sides, by the number of its borders and whether all images are one;
+// each table of a batch follows on the one before.
+struct SoupTable
+{
+  int Borders;
+  bool OneImage;
+  std::size_t Size() const { return static_cast<std::size_t>(this->Borders) * (OneImage ? 3 : 6); }
+};
+constexpr SoupTable SoupTables[] = { { 3, false }, { 3, true }, { 2, false }, { 2, true } };
+
+// The side from the corner at `step` of the way round to the next, as VolumeLists has sides.
+void AppendSide(
+  std::vector<std::uint16_t>& indices, std::uint32_t triangle, int step, bool oneImage)
+{
+  const auto from = static_cast<std::uint16_t>(6 * triangle + 2 * step);
+  const auto to = static_cast<std::uint16_t>(6 * triangle + 2 * ((step + 1) % 3));
+  indices.insert(indices.end(), { to, from, static_cast<std::uint16_t>(from + 1) });
+  if (!oneImage)
+  {
+    indices.insert(indices.end(),
+      { to, static_cast<std::uint16_t>(from + 1), static_cast<std::uint16_t>(to + 1) });
+  }
+}
+
+GLuint MakeSoupIndices()
+{
+  std::vector<std::uint16_t> indices;
+  for (const SoupTable& table : SoupTables)
+  {
+    for (std::uint32_t triangle = 0; triangle < SoupBatch; ++triangle)
+    {
+      for (int step = 0; step < table.Borders; ++step)
+      {
+        AppendSide(indices, triangle, step, table.OneImage);
+      }
+    }
+  }
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+    static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])), indices.data(), GL_STREAM_DRAW);
+  return buffer;
+}
+
+// Whether anything is drawn for the soup of a caster, or for all else.
+bool HasFaces(const vtkShadowVolumeCaster::Volume& volume, bool soup)
+{
+  const std::size_t ofSoup = volume.Lists.turnedThreeSided.End();
+  return soup ? ofSoup > 0 : ofSoup < volume.Lists.Count();
+}
+
+const void* OffsetOf(std::size_t first, std::size_t size)
+{
+  return reinterpret_cast<const void*>(first * size);
+}
+
 void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec4& v)
 {
   const float values[4] = { static_cast<float>(v.x), static_cast<float>(v.y),
@@ -194,7 +254,6 @@ bool vtkShadowVolumeCounter::Begin(const vtkShadowFrame& frame, const Eye& eye, 
     this->Scope.reset();
     return false;
   }
-  this->Frame = &frame;
   this->State = frame.Window->GetState();
   this->CurrentEye = eye;
   this->State->vtkglDepthMask(GL_FALSE);
@@ -231,11 +290,11 @@ void vtkShadowVolumeCounter::StartVolumes(const vtkShadowFrame& frame, const cha
 {
   glGenVertexArrays(1, &this->Arrays);
   glBindVertexArray(this->Arrays);
-  this->Program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkStencilShadowVolumePassVS, fragmentShader, "");
+  this->Frame = &frame;
+  this->FragmentShader = fragmentShader;
+  this->Programs = {};
   this->PointUnit = this->State->GetTextureUnitManager()->Allocate();
-  this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->PointUnit));
-  this->Program->SetUniformi("shadowPointsTC", this->PointUnit);
+  this->ListUnit = this->State->GetTextureUnitManager()->Allocate();
 }
 
 void vtkShadowVolumeCounter::EndVolumes()
@@ -243,10 +302,19 @@ void vtkShadowVolumeCounter::EndVolumes()
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   glBindVertexArray(0);
   glDeleteVertexArrays(1, &this->Arrays);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  if (this->SoupIndices)
+  {
+    glDeleteBuffers(1, &this->SoupIndices);
+    this->SoupIndices = 0;
+  }
   glDisable(GL_DEPTH_CLAMP);
-  this->State->GetTextureUnitManager()->Free(this->PointUnit);
-  this->PointUnit = -1;
+  for (int* unit : { &this->ListUnit, &this->PointUnit })
+  {
+    this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(*unit));
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    this->State->GetTextureUnitManager()->Free(*unit);
+    *unit = -1;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -270,36 +338,146 @@ bool vtkShadowVolumeCounter::HasOverflown()
   glDeleteQueries(1, &query);
   this->State->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
   this->State->vtkglEnable(GL_DEPTH_TEST);
-  this->Frame->Window->GetShaderCache()->ReadyShaderProgram(this->Program);
   return any != 0;
+}
+
+//------------------------------------------------------------------------------
+// What DrawFaces draws from now on.
+void vtkShadowVolumeCounter::SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld, bool soup)
+{
+  const vtkShadowVolumeCaster& caster = *draw.Caster;
+  const vtkShadowVolumeCaster::Volume& volume = *draw.Volume;
+  this->Caster = &caster;
+  this->Volume = &volume;
+  this->Soup = soup;
+  vtkOpenGLShaderCache* cache = this->Frame->Window->GetShaderCache();
+  vtkShaderProgram*& program = this->Programs[soup ? 1 : 0];
+  if (program)
+  {
+    cache->ReadyShaderProgram(program);
+  }
+  else
+  {
+    std::string vertexShader = vtkStencilShadowVolumePassVS;
+    if (soup)
+    {
+      vtkShaderProgram::Substitute(
+        vertexShader, "//VTK::System::Dec", "//VTK::System::Dec\n#define SHADOW_SOUP");
+    }
+    program = cache->ReadyShaderProgram(vertexShader.c_str(), this->FragmentShader.c_str(), "");
+  }
+  this->Program = program;
+  const glm::dmat4 worldFromCaster = caster.GetWorldFromCaster();
+  std::array<float, 16> clipFromCaster = vtkShadowMatrix::ToFloats(clipFromWorld * worldFromCaster);
+  program->SetUniformMatrix4x4("shadowClipFromCaster", clipFromCaster.data());
+  SetVector(program, "shadowLightTC", volume.LightTC);
+  // A plane is a row.
+  const glm::dvec4 farRow =
+    glm::dvec4(glm::dvec3(draw.FarPlaneWC), -draw.FarPlaneWC.w) * worldFromCaster;
+  SetVector(program, "shadowFarPlaneTC", glm::dvec4(glm::dvec3(farRow), -farRow.w));
+  program->SetUniformi("shadowAllAreImages", 0);
+  program->SetUniformi("shadowNearSide", 0);
+  program->SetUniformi("shadowPointsTC", this->PointUnit);
+  caster.Bind(this->State, volume, this->PointUnit, this->ListUnit);
+  if (soup)
+  {
+    program->SetUniformi("shadowSoup", this->ListUnit);
+    program->SetUniformi(
+      "shadowSoupFirstPoint", static_cast<int>(caster.GetMesh().soup.firstPoint));
+    if (!this->SoupIndices)
+    {
+      this->SoupIndices = MakeSoupIndices();
+    }
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->SoupIndices);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Sides of soup with so many borders, or caps (0 borders); how many triangles.
+std::size_t vtkShadowVolumeCounter::DrawSoup(
+  const vtkshadows::VolumeLists::List& list, int borders, bool turned)
+{
+  if (list.count == 0)
+  {
+    return 0;
+  }
+  this->Program->SetUniformi("shadowSoupFirst", static_cast<int>(list.first));
+  this->Program->SetUniformi("shadowSoupTurned", turned ? 1 : 0);
+  this->Program->SetUniformi("shadowSoupCaps", borders == 0 ? 1 : 0);
+  if (borders == 0)
+  {
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * list.count));
+    return list.count;
+  }
+  std::size_t start = 0;
+  const SoupTable* table = SoupTables;
+  for (; table->Borders != borders || table->OneImage != this->Volume->OneImage; ++table)
+  {
+    start += SoupBatch * table->Size();
+  }
+  for (std::size_t first = 0; first < list.count; first += SoupBatch)
+  {
+    const std::size_t size = std::min<std::size_t>(SoupBatch, list.count - first);
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(size * table->Size()),
+      GL_UNSIGNED_SHORT, OffsetOf(start, sizeof(std::uint16_t)), static_cast<GLint>(6 * first));
+  }
+  return list.count * table->Size() / 3;
+}
+
+//------------------------------------------------------------------------------
+// How many triangles were drawn.
+std::size_t vtkShadowVolumeCounter::DrawFaces(Faces faces)
+{
+  const vtkshadows::VolumeLists& lists = this->Volume->Lists;
+  if (this->Soup)
+  {
+    switch (faces)
+    {
+      case Faces::Sides:
+        return this->DrawSoup(lists.threeSided, 3, false) +
+          this->DrawSoup(lists.twoSided, 2, false) + this->DrawSoup(lists.turnedTwoSided, 2, true) +
+          this->DrawSoup(lists.turnedThreeSided, 3, true);
+      case Faces::Caps:
+        return this->DrawSoup(lists.threeSided, 0, false) +
+          this->DrawSoup(lists.twoSided, 0, false);
+      case Faces::TurnedCaps:
+        return this->DrawSoup(lists.turnedTwoSided, 0, false) +
+          this->DrawSoup(lists.turnedThreeSided, 0, false);
+      default:
+        return 0;
+    }
+  }
+  const vtkshadows::VolumeLists::List& list = faces == Faces::Sides ? lists.singles
+    : faces == Faces::DoubleSides                                   ? lists.doubles
+    : faces == Faces::Caps                                          ? lists.caps
+                                                                    : lists.turnedCaps;
+  if (list.count > 0)
+  {
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(list.count), GL_UNSIGNED_INT,
+      OffsetOf(list.first, sizeof(std::uint32_t)));
+  }
+  return list.count / 3;
 }
 
 //------------------------------------------------------------------------------
 // Adds `front` for a face toward the eye, and `back` for one away from it, where it lies behind the
 // receiver or before it.
-void vtkShadowVolumeCounter::DrawSection(
-  const vtkShadowVolumeCaster::Section& section, int front, int back, bool behind, Phase phase)
+void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool behind, Phase phase)
 {
-  if (section.Count == 0)
-  {
-    return;
-  }
-  const auto count = static_cast<GLsizei>(section.Count);
-  const auto* first = reinterpret_cast<const void*>(section.First * sizeof(std::uint32_t));
   // A tie counts as behind, so that a lit surface is not in the volume that starts on it.
   this->State->vtkglDepthFunc(behind && !this->UsesStencil() ? GL_GEQUAL : GL_LESS);
   int repeats = 1;
   if (this->UsesStencil())
   {
     const bool wraps = this->CurrentWay == Way::WrappingStencil;
-    const GLenum faces[2] = { GL_FRONT, GL_BACK };
+    const GLenum sides[2] = { GL_FRONT, GL_BACK };
     const int weights[2] = { front, back };
     for (int i = 0; i < 2; ++i)
     {
       const GLenum change =
         weights[i] > 0 ? (wraps ? GL_INCR_WRAP : GL_INCR) : (wraps ? GL_DECR_WRAP : GL_DECR);
       this->State->vtkglStencilOpSeparate(
-        faces[i], GL_KEEP, behind ? change : GL_KEEP, behind ? GL_KEEP : change);
+        sides[i], GL_KEEP, behind ? change : GL_KEEP, behind ? GL_KEEP : change);
     }
     repeats = std::abs(front);
     if (phase != Phase::Everything)
@@ -328,28 +506,9 @@ void vtkShadowVolumeCounter::DrawSection(
   }
   for (int i = 0; i < repeats; ++i)
   {
-    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, first);
+    const std::size_t triangles = this->DrawFaces(faces);
+    this->NumberOfTriangles += phase == Phase::Subtractions ? 0 : triangles;
   }
-  this->NumberOfTriangles += phase == Phase::Subtractions ? 0 : section.Count / 3 * repeats;
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowVolumeCounter::SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld)
-{
-  const vtkShadowVolumeCaster& caster = *draw.Caster;
-  const vtkShadowVolumeCaster::Volume& volume = *draw.Volume;
-  const glm::dmat4 worldFromCaster = caster.GetWorldFromCaster();
-  std::array<float, 16> clipFromCaster = vtkShadowMatrix::ToFloats(clipFromWorld * worldFromCaster);
-  this->Program->SetUniformMatrix4x4("shadowClipFromCaster", clipFromCaster.data());
-  SetVector(this->Program, "shadowLightTC", volume.LightTC);
-  // A plane is a row.
-  const glm::dvec4 farRow =
-    glm::dvec4(glm::dvec3(draw.FarPlaneWC), -draw.FarPlaneWC.w) * worldFromCaster;
-  SetVector(this->Program, "shadowFarPlaneTC", glm::dvec4(glm::dvec3(farRow), -farRow.w));
-  this->Program->SetUniformi("shadowAllAreImages", 0);
-  this->Program->SetUniformi("shadowNearSide", 0);
-  caster.BindPoints();
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, volume.Buffer);
 }
 
 //------------------------------------------------------------------------------
@@ -367,17 +526,25 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
   }
   this->State->vtkglEnable(GL_SCISSOR_TEST);
   this->State->vtkglScissor(left, bottom, right - left, top - bottom);
+  for (const bool soup : { false, true })
+  {
+    if (HasFaces(*draw.Volume, soup))
+    {
+      this->SetCaster(draw, this->CurrentEye.ClipFromWorld, soup);
+      this->AddFaces(draw, phase);
+    }
+  }
+}
 
-  const vtkShadowVolumeCaster& caster = *draw.Caster;
-  const vtkShadowVolumeCaster::Volume& volume = *draw.Volume;
-  this->SetCaster(draw, this->CurrentEye.ClipFromWorld);
-
+//------------------------------------------------------------------------------
+void vtkShadowVolumeCounter::AddFaces(const Draw& draw, Phase phase)
+{
   // Behind a receiver a face away from the eye is where the way out of a volume is; before it, one
   // toward the eye is the way in. A mirrored caster shows its faces the other way round.
   const bool behind = draw.Faces == Rule::Fail;
-  const int way = (behind ? -1 : 1) * (caster.IsMirrored() ? -1 : 1);
-  this->DrawSection(volume.Singles, way, -way, behind, phase);
-  this->DrawSection(volume.Doubles, 2 * way, -2 * way, behind, phase);
+  const int way = (behind ? -1 : 1) * (this->Caster->IsMirrored() ? -1 : 1);
+  this->CountFaces(Faces::Sides, way, -way, behind, phase);
+  this->CountFaces(Faces::DoubleSides, 2 * way, -2 * way, behind, phase);
   if (behind)
   {
     // A face that the near plane cuts is cut into other triangles, and seen edge-on those have
@@ -388,8 +555,8 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
     {
       glDisable(GL_DEPTH_CLAMP);
     }
-    this->DrawSection(volume.Caps, way, -way, behind, phase);
-    this->DrawSection(volume.TurnedCaps, -way, way, behind, phase);
+    this->CountFaces(Faces::Caps, way, -way, behind, phase);
+    this->CountFaces(Faces::TurnedCaps, -way, way, behind, phase);
     if (clips)
     {
       glEnable(GL_DEPTH_CLAMP);
@@ -397,8 +564,8 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
     if (draw.FarCaps)
     {
       this->Program->SetUniformi("shadowAllAreImages", 1);
-      this->DrawSection(volume.Caps, -way, way, behind, phase);
-      this->DrawSection(volume.TurnedCaps, way, -way, behind, phase);
+      this->CountFaces(Faces::Caps, -way, way, behind, phase);
+      this->CountFaces(Faces::TurnedCaps, way, -way, behind, phase);
     }
   }
   else if (draw.Faces == Rule::PassCapped)
@@ -406,10 +573,10 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
     // Every triangle between the light and the near plane shadows that, whichever way it is seen.
     const glm::dvec4& plane = this->CurrentEye.NearPlaneWC;
     this->Program->SetUniformi("shadowNearSide", glm::dot(plane, draw.LightWC) > 0.0 ? 1 : -1);
-    SetVector(this->Program, "shadowNearPlaneTC", plane * caster.GetWorldFromCaster());
+    SetVector(this->Program, "shadowNearPlaneTC", plane * this->Caster->GetWorldFromCaster());
     glEnable(GL_CLIP_DISTANCE0);
-    this->DrawSection(volume.Caps, 1, 1, behind, phase);
-    this->DrawSection(volume.TurnedCaps, 1, 1, behind, phase);
+    this->CountFaces(Faces::Caps, 1, 1, behind, phase);
+    this->CountFaces(Faces::TurnedCaps, 1, 1, behind, phase);
     glDisable(GL_CLIP_DISTANCE0);
   }
 }
@@ -428,10 +595,10 @@ void vtkShadowVolumeCounter::End()
 }
 
 //------------------------------------------------------------------------------
-// Draws over the frame, without a trace in its depths; calls use(draw) for each, its caster set.
+// Draws over the frame, without a trace in its depths; calls use(draw) for each.
 template <typename Use>
-void vtkShadowVolumeCounter::Show(const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld,
-  const std::vector<Draw>& draws, const Use& use)
+void vtkShadowVolumeCounter::Show(
+  const vtkShadowFrame& frame, const std::vector<Draw>& draws, const Use& use)
 {
   this->State = frame.Window->GetState();
   const OverlayState overlay(this->State);
@@ -439,7 +606,6 @@ void vtkShadowVolumeCounter::Show(const vtkShadowFrame& frame, const glm::dmat4&
   this->StartVolumes(frame, vtkStencilShadowVolumePassViewFS);
   for (const Draw& draw : draws)
   {
-    this->SetCaster(draw, clipFromWorld);
     use(draw);
   }
   this->EndVolumes();
@@ -449,16 +615,21 @@ void vtkShadowVolumeCounter::Show(const vtkShadowFrame& frame, const glm::dmat4&
 void vtkShadowVolumeCounter::ShowVolumes(
   const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld, const std::vector<Draw>& draws)
 {
-  this->Show(frame, clipFromWorld, draws,
-    [this](const Draw& draw)
+  this->Show(frame, draws,
+    [&](const Draw& draw)
     {
       const float behind[4] = { 0.9f, 0.6f, 0.0f, 0.12f }, before[4] = { 0.0f, 0.45f, 0.7f, 0.12f };
-      this->Program->SetUniform4f("shadowViewColor", draw.Faces == Rule::Fail ? behind : before);
-      this->Program->SetUniformf("shadowPulledForward", 0.0f);
-      for (const auto& section : { draw.Volume->Singles, draw.Volume->Doubles })
+      for (const bool soup : { false, true })
       {
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(section.Count), GL_UNSIGNED_INT,
-          reinterpret_cast<const void*>(section.First * sizeof(std::uint32_t)));
+        if (HasFaces(*draw.Volume, soup))
+        {
+          this->SetCaster(draw, clipFromWorld, soup);
+          this->Program->SetUniform4f(
+            "shadowViewColor", draw.Faces == Rule::Fail ? behind : before);
+          this->Program->SetUniformf("shadowPulledForward", 0.0f);
+          this->DrawFaces(Faces::Sides);
+          this->DrawFaces(Faces::DoubleSides);
+        }
       }
     });
 }
@@ -469,11 +640,12 @@ void vtkShadowVolumeCounter::ShowSilhouettes(
 {
   float widest[2] = { 1.0f, 1.0f };
   glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widest);
-  this->Show(frame, clipFromWorld, draws,
+  this->Show(frame, draws,
     [&](const Draw& draw)
     {
       std::vector<std::uint32_t> single, several;
       draw.Caster->FindSilhouette(*draw.Volume, single, several);
+      this->SetCaster(draw, clipFromWorld, false);
       const float one[4] = { 0.95f, 0.9f, 0.25f, 1.0f }, more[4] = { 0.9f, 0.2f, 0.6f, 1.0f };
       this->State->vtkglLineWidth(std::min(2.0f, widest[1]));
       this->Program->SetUniformf("shadowPulledForward", 1.0e-4f);

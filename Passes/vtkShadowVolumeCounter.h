@@ -14,6 +14,7 @@
 #include "vtkShadowTextureArray.h"
 #include "vtkShadowVolumeCaster.h"
 
+#include <array>
 #include <memory>
 
 class vtkShaderProgram;
@@ -110,6 +111,14 @@ private:
     Additions,
     Subtractions
   };
+  // Of the caster that is set, of its soup or of all else.
+  enum class Faces
+  {
+    Sides,
+    DoubleSides,
+    Caps,
+    TurnedCaps
+  };
 
   bool UsesStencil() const { return this->CurrentWay != Way::Float; }
   bool Begin(const vtkShadowFrame& frame, const Eye& eye, int start, Way way);
@@ -118,12 +127,13 @@ private:
   bool HasOverflown();
   void StartVolumes(const vtkShadowFrame& frame, const char* fragmentShader);
   void EndVolumes();
-  void DrawSection(
-    const vtkShadowVolumeCaster::Section& section, int front, int back, bool behind, Phase phase);
-  void SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld);
+  void SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld, bool soup);
+  void AddFaces(const Draw& draw, Phase phase);
+  void CountFaces(Faces faces, int front, int back, bool behind, Phase phase);
+  std::size_t DrawFaces(Faces faces);
+  std::size_t DrawSoup(const vtkshadows::VolumeLists::List& list, int borders, bool turned);
   template <typename Use>
-  void Show(const vtkShadowFrame& frame, const glm::dmat4& clipFromWorld,
-    const std::vector<Draw>& draws, const Use& use);
+  void Show(const vtkShadowFrame& frame, const std::vector<Draw>& draws, const Use& use);
   void DrawFullScreen(const vtkShadowFrame& frame, vtkShadowTextureArray& source, bool isSum,
     float share, bool parity);
   void ResolveStencil(const vtkShadowFrame& frame, float share, bool parity);
@@ -134,9 +144,17 @@ private:
   const vtkShadowFrame* Frame = nullptr;
   vtkOpenGLState* State = nullptr;
   Eye CurrentEye;
-  vtkShaderProgram* Program = nullptr;
-  int PointUnit = -1;
+  int PointUnit = -1, ListUnit = -1;
   unsigned int Arrays = 0; // a vertex array object without arrays
+  unsigned int SoupIndices = 0;
+
+  // Of what is drawn: the caster that is set, and whether its soup is.
+  std::string FragmentShader;
+  std::array<vtkShaderProgram*, 2> Programs{}; // without soup, and for it
+  vtkShaderProgram* Program = nullptr;
+  const vtkShadowVolumeCaster* Caster = nullptr;
+  const vtkShadowVolumeCaster::Volume* Volume = nullptr;
+  bool Soup = false;
 };
 
 #endif

@@ -333,7 +333,7 @@ void vtkShadowedShadingPass::DrawReceivers(
   for (std::size_t i = 0; i < (props ? props->size() : all.size()); ++i)
   {
     const vtkShadowScene::Prop& prop = all[props ? (*props)[i] : i];
-    if (!this->Catchers->IsDrawn(prop))
+    if (prop.StandsInFor || !this->Catchers->IsDrawn(prop))
     {
       continue;
     }

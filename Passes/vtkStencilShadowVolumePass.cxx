@@ -32,7 +32,7 @@ using Rule = vtkShadowVolumeCounter::Rule;
 // nowhere but on what is drawn.
 bool IsDrawnWhole(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece& piece)
 {
-  if (prop.Translucent || !piece.DrawnSolid)
+  if (prop.StandsInFor || prop.Translucent || !piece.DrawnSolid)
   {
     return false;
   }
@@ -203,20 +203,21 @@ void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
         my.Casters.push_back({ &piece, &caster, IsDrawnWhole(prop, piece) });
       }
     }
+    vtkProp* named = prop.StandsInFor ? prop.StandsInFor : prop.Source;
     std::ostringstream message;
+    message << "The " << (prop.StandsInFor ? "stand-in of the " : "") << "caster "
+            << named->GetClassName() << " (" << named << ") has ";
     if (!fault.empty())
     {
-      message << "The caster " << prop.Source->GetClassName() << " (" << prop.Source << ") has "
-              << fault << ": it casts no shadow. Repair it, or clean its input.";
+      message << fault << ": it casts no shadow. Repair it, or clean its input.";
     }
     else if (!skipped.empty())
     {
-      message << "The caster " << prop.Source->GetClassName() << " (" << prop.Source << ") has "
-              << skipped
+      message << skipped
               << ": shadow volumes have none of that. Use \"depth-map\", or give it a surface "
                  "(vtkTubeFilter, vtkGlyph3DMapper).";
     }
-    this->WarnOnce(prop.Source, message.str());
+    this->WarnOnce(prop.Source, fault.empty() && skipped.empty() ? "" : message.str());
   }
   for (auto it = my.Known.begin(); it != my.Known.end();)
   {

@@ -183,8 +183,9 @@ public:
 
   ///@{
   /**
-   * What is kept of the casters, in bytes (meshes, points with the driver, volumes of every light),
-   * and their triangles.
+   * What is kept of the casters, in bytes (meshes, points with the driver, volumes of every light;
+   * nothing else outlives a frame), and their triangles. A closed caster takes 42 to 49 bytes a
+   * triangle with one light, one of triangles that share no edge 76.
    */
   vtkIdType GetMemoryInBytes() const;
   vtkIdType GetNumberOfTriangles() const;

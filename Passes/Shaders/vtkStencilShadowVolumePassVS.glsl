@@ -1,6 +1,6 @@
 //VTK::System::Dec
-// A vertex of a shadow volume: 2 * point, or 2 * point + 1 for the point's image at the far end. Spaces: TC the
-// caster's own, clip the eye's.
+// A vertex of a shadow volume: a point of the caster, or its image at the far end. Spaces: TC the caster's own, clip
+// the eye's.
 
 uniform samplerBuffer shadowPointsTC;
 uniform mat4 shadowClipFromCaster;
@@ -13,6 +13,33 @@ uniform float shadowPulledForward; // share of the way to the eye, for edges dra
 uniform vec4 shadowNearPlaneTC;
 uniform int shadowNearSide;
 
+#ifdef SHADOW_SOUP
+uniform usamplerBuffer shadowSoup; // see vtkshadows::SoupEntry
+uniform int shadowSoupFirst;       // entry of the list that is drawn
+uniform int shadowSoupFirstPoint;
+uniform int shadowSoupTurned;
+uniform int shadowSoupCaps;
+
+// Sides have six vertices a triangle, in pairs of a corner and its image, on a way round it: along both borders, if
+// there are two, from end to end. Caps have three, the corners in their own order.
+ivec2 shadowPointAndImage()
+{
+  bool isCap = shadowSoupCaps != 0;
+  int n = isCap ? gl_VertexID / 3 : gl_VertexID / 6;
+  int vertex = isCap ? gl_VertexID - 3 * n : gl_VertexID - 6 * n;
+  uint entry = texelFetch(shadowSoup, shadowSoupFirst + n).r;
+  int step = vertex / 2;
+  int corner = (int(entry >> 30u) + 1 + (shadowSoupTurned != 0 ? 2 - step : step)) % 3;
+  int point = shadowSoupFirstPoint + 3 * int(entry & 0x3fffffffu);
+  return isCap ? ivec2(point + vertex, 0) : ivec2(point + corner, vertex & 1);
+}
+#else
+ivec2 shadowPointAndImage()
+{
+  return ivec2(gl_VertexID / 2, gl_VertexID & 1);
+}
+#endif
+
 vec4 shadowImage(vec3 p)
 {
   vec3 along = p * shadowLightTC.w - shadowLightTC.xyz;
@@ -24,7 +51,8 @@ vec4 shadowImage(vec3 p)
 
 void main()
 {
-  vec3 p = texelFetch(shadowPointsTC, gl_VertexID / 2).xyz;
+  ivec2 pointAndImage = shadowPointAndImage();
+  vec3 p = texelFetch(shadowPointsTC, pointAndImage.x).xyz;
   if (shadowNearSide != 0)
   {
     // As the light throws it (Blinn 1988); only what lies between light and plane.
@@ -35,7 +63,7 @@ void main()
     gl_Position = vec4(clip.xy, -clip.w, clip.w);
     return;
   }
-  bool isImage = shadowAllAreImages != 0 || (gl_VertexID & 1) != 0;
+  bool isImage = shadowAllAreImages != 0 || pointAndImage.y != 0;
   gl_ClipDistance[0] = 1.0;
   gl_Position = shadowClipFromCaster * (isImage ? shadowImage(p) : vec4(p, 1.0));
   gl_Position.z -= shadowPulledForward * abs(gl_Position.w);

@@ -43,7 +43,7 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -80,6 +80,7 @@ __all__ = [
     "set_casts_shadows",
     "set_receives_shadows",
     "set_shadow_catcher",
+    "set_stand_in",
     "techniques",
     "visibility",
     "volume_counts",
@@ -605,6 +606,20 @@ def _find_window(thing: Any) -> vtkRenderWindow:
     if not isinstance(window, vtkRenderWindow):
         raise ValueError(f"{_kind(thing)} is no vtkRenderWindow and is in none; give the window itself")
     return window
+
+
+def set_stand_in(prop: vtkProp, polydata: Optional[vtkPolyData]) -> None:
+    """Let another mesh cast in place of `prop`: a decimated one, or a hull. None: the prop itself, again.
+
+    The mesh (a vtkPolyData, so PyVista's too) is in the prop's own coordinates and moves with it. All
+    techniques use it but "ray-cast", which is the truth that `error` holds them against. The prop receives
+    the mesh's shadow as any other does: where it lies inside of the mesh, it is dark.
+
+    >>> vtkshadows.set_stand_in(actor, decimate.GetOutput())
+    """
+    if not (polydata is None or isinstance(polydata, vtkPolyData)):
+        raise ValueError(f"{_kind(polydata)} is not a vtkPolyData; give a mesh, or None")
+    vtkShadowPass.SetStandIn(_check_prop(prop), polydata)
 
 
 # --- Settings of enable() --------------------------------------------------------------------------

@@ -246,9 +246,31 @@ TestMesh Soup(int triangles, int points)
   return mesh;
 }
 
+TestMesh Confetti(int columns)
+{
+  TestMesh mesh;
+  mesh.name = "confetti";
+  for (int i = 0; i < columns * columns; ++i)
+  {
+    const glm::dvec3 low(i % columns, i / columns, 0.0);
+    const auto a = static_cast<unsigned int>(mesh.points.size());
+    mesh.points.insert(
+      mesh.points.end(), { low, low + glm::dvec3(0.7, 0.1, 0.0), low + glm::dvec3(0.6, 0.8, 0.0) });
+    const glm::uvec3 t(a, a + 1, a + 2);
+    mesh.triangles.push_back(i % 3 ? t : Turned(t));
+    if (i % 2)
+    {
+      mesh.points.push_back(low + glm::dvec3(-0.1, 0.6, 0.0));
+      const glm::uvec3 other(a + 2, a + 3, a);
+      mesh.triangles.push_back(i % 5 ? other : Turned(other));
+    }
+  }
+  return mesh;
+}
+
 std::vector<TestMesh> SmallMeshes()
 {
-  return { Tetrahedron(), Cube(), UnweldedCube(), InsideOutCube(), OpenStrip(), Fan(3), Fan(4),
-    Fan(5), Duplicated(), OneTurned(), MoebiusStrip(), KleinBottle(), TwoBodiesAndASheet(),
+  return { Tetrahedron(), Cube(), UnweldedCube(), InsideOutCube(), OpenStrip(), Confetti(4), Fan(3),
+    Fan(4), Fan(5), Duplicated(), OneTurned(), MoebiusStrip(), KleinBottle(), TwoBodiesAndASheet(),
     Torus(12, 8), Soup(300, 30) };
 }

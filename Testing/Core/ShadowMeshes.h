@@ -31,6 +31,10 @@ TestMesh Torus(int rings, int sides);
 // Random triangles over few random points: edges of many triangles, repeats, repeated corners.
 TestMesh Soup(int triangles, int points);
 
+// Triangles and quads in the plane z = 0 that share no point, over a square of columns^2 units: of
+// mixed winding, one place in two a quad.
+TestMesh Confetti(int columns);
+
 // All of the above, the soup and the torus small.
 std::vector<TestMesh> SmallMeshes();
 

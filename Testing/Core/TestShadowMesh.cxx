@@ -330,3 +330,75 @@ TEST(ShadowMesh, TheSameOnAnyNumberOfThreads)
     ExpectEqual(one.pieces[i], two.pieces[i]);
   }
 }
+
+// A closed body, an open sheet, and triangles of their own: three borders, and two.
+TEST(ShadowMesh, SoupApartKeepsEveryTriangle)
+{
+  TestMesh mesh = OpenStrip();
+  Append(mesh, Cube(), { 5.0, 0.0, 0.0 });
+  TestMesh quad;
+  quad.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0 } };
+  for (const auto& triangles : std::vector<std::vector<glm::uvec3>>{ { { 0, 1, 2 } },
+         { { 0, 1, 2 }, { 0, 2, 3 } }, { { 1, 2, 0 }, { 2, 3, 0 } }, { { 2, 0, 1 }, { 3, 0, 2 } } })
+  {
+    quad.triangles = triangles;
+    Append(mesh, quad, { 0.0, 3.0 * mesh.points.size(), 1.0 });
+  }
+  const ShadowMesh<double> whole = Build(mesh);
+  ShadowMesh<double> apart = whole;
+  SetSoupApart(apart, 1000);
+  ASSERT_EQ(apart.NumberOfTriangles(), mesh.triangles.size());
+  // The single one, the quads' and both ends of the strip.
+  EXPECT_EQ(apart.soup.NumberOfTriangles(), 9u);
+  EXPECT_EQ(apart.soup.starts[1], 1u);
+  EXPECT_EQ(apart.points.size(), apart.soup.firstPoint + 27u);
+  EXPECT_LT(apart.soup.firstPoint, whole.points.size());
+  for (std::size_t i = 0; i < apart.NumberOfTriangles(); ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      EXPECT_EQ(apart.points[apart.Corners(i)[corner]],
+        mesh.points[mesh.triangles[apart.originals[i]][corner]])
+        << "triangle " << i;
+    }
+  }
+  // Borders of soup are not in the table; the inner side is in a pair.
+  std::set<HalfEdge> inner;
+  for (const EdgeTable::Pair& pair : apart.edges.pairs)
+  {
+    inner.insert(pair.first);
+    inner.insert(pair.second & ~RunsAlike);
+  }
+  std::size_t borders = apart.edges.borders.size();
+  for (std::uint32_t i = 0; i < 9; ++i)
+  {
+    const auto first = static_cast<HalfEdge>(3 * (apart.triangles.size() + i));
+    for (HalfEdge side = 0; side < 3; ++side)
+    {
+      EXPECT_EQ(inner.count(first + side), side == apart.soup.InnerSide(i) ? 1u : 0u) << i;
+    }
+    borders += apart.soup.InnerSide(i) == 3 ? 3 : 2;
+  }
+  EXPECT_EQ(borders, whole.edges.borders.size());
+  ASSERT_EQ(apart.pieces.size(), whole.pieces.size());
+  for (std::size_t i = 0; i < whole.pieces.size(); ++i)
+  {
+    ExpectEqual(apart.pieces[i], whole.pieces[i]);
+  }
+}
+
+TEST(ShadowMesh, SoupApartOnlyIfThePointsSuffice)
+{
+  const ShadowMesh<double> whole = Build(OpenStrip());
+  ShadowMesh<double> apart = whole;
+  SetSoupApart(apart, whole.points.size());
+  EXPECT_EQ(apart.soup.NumberOfTriangles(), 0u);
+  EXPECT_TRUE(apart.triangles == whole.triangles);
+  EXPECT_TRUE(apart.points == whole.points);
+  SetSoupApart(apart, whole.points.size() + 6);
+  EXPECT_EQ(apart.soup.NumberOfTriangles(), 2u);
+  // Closed, there is none.
+  ShadowMesh<double> closed = Build(Cube());
+  SetSoupApart(closed, 1000);
+  EXPECT_EQ(closed.soup.NumberOfTriangles(), 0u);
+}

@@ -11,9 +11,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <initializer_list>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <random>
+#include <tuple>
 #include <utility>
 
 using namespace vtkshadows;
@@ -28,23 +31,67 @@ struct Volume
   ShadowMesh<double> mesh;
   glm::dvec4 light;
   std::vector<CastSign> signs;
-  VolumeIndices indices;
+  std::vector<std::uint32_t> singles, doubles, caps, turnedCaps; // see VolumeLists
+  std::vector<std::uint32_t> soup, turnedSoup;
   std::vector<Triangle> triangles; // all of them, far caps too, turned outward
 
   void Emit(bool oneImage)
   {
-    EmitVolume(this->mesh, this->signs, oneImage, this->indices);
+    const VolumeEmitter<double> emitter(this->mesh, this->signs, oneImage);
+    const VolumeLists& lists = emitter.Lists();
+    std::vector<std::uint32_t> numbers(lists.Count());
+    emitter.Write(numbers.data());
+    const auto take = [&numbers](std::initializer_list<VolumeLists::List> parts)
+    {
+      std::vector<std::uint32_t> taken;
+      for (const VolumeLists::List& part : parts)
+      {
+        taken.insert(taken.end(), numbers.begin() + part.first, numbers.begin() + part.End());
+      }
+      return taken;
+    };
+    this->singles = take({ lists.singles });
+    this->doubles = take({ lists.doubles });
+    this->caps = take({ lists.caps });
+    this->turnedCaps = take({ lists.turnedCaps });
+    this->soup = take({ lists.threeSided, lists.twoSided });
+    this->turnedSoup = take({ lists.turnedTwoSided, lists.turnedThreeSided });
     this->triangles.clear();
-    this->Add(this->indices.singles, 0, false);
-    this->Add(this->indices.doubles, 0, false);
-    this->Add(this->indices.doubles, 0, false); // each stands for two
-    this->Add(this->indices.caps, 0, false);
-    this->Add(this->indices.turnedCaps, 0, true);
-    this->Add(this->indices.caps, 1, true);
-    this->Add(this->indices.turnedCaps, 1, false);
+    this->Add(this->singles, 0, false);
+    this->Add(this->doubles, 0, false);
+    this->Add(this->doubles, 0, false); // each stands for two
+    this->Add(this->caps, 0, false);
+    this->Add(this->turnedCaps, 0, true);
+    this->Add(this->caps, 1, true);
+    this->Add(this->turnedCaps, 1, false);
+    this->AddSoup(this->soup, oneImage, false);
+    this->AddSoup(this->turnedSoup, oneImage, true);
   }
 
 private:
+  void AddSoup(const std::vector<std::uint32_t>& entries, bool oneImage, bool turned)
+  {
+    for (const std::uint32_t entry : entries)
+    {
+      const glm::uvec3 t = this->mesh.Corners(this->mesh.triangles.size() + (entry & 0x3fffffffu));
+      const std::uint32_t innerSide = entry >> 30;
+      this->Add({ 2 * t.x, 2 * t.y, 2 * t.z }, 0, turned);
+      this->Add({ 2 * t.x, 2 * t.y, 2 * t.z }, 1, !turned);
+      for (std::uint32_t side = 0; side < 3; ++side)
+      {
+        if (side != innerSide)
+        {
+          const std::uint32_t from = 2 * t[side], to = 2 * t[(side + 1) % 3];
+          this->Add({ to, from, from + 1 }, 0, turned);
+          if (!oneImage)
+          {
+            this->Add({ to, from + 1, to + 1 }, 0, turned);
+          }
+        }
+      }
+    }
+  }
+
   void Add(const std::vector<std::uint32_t>& corners, std::uint32_t image, bool turned)
   {
     for (std::size_t i = 0; i < corners.size(); i += 3)
@@ -59,11 +106,17 @@ private:
   }
 };
 
-Volume MakeVolume(
-  const TestMesh& mesh, const glm::dvec4& light, CastingFaces which, bool oneImage = false)
+constexpr std::size_t AnyPoints = std::numeric_limits<std::size_t>::max();
+
+Volume MakeVolume(const TestMesh& mesh, const glm::dvec4& light, CastingFaces which,
+  bool oneImage = false, bool soupApart = false)
 {
   Volume volume;
   volume.mesh = BuildShadowMesh(mesh.points, mesh.triangles);
+  if (soupApart)
+  {
+    SetSoupApart(volume.mesh, AnyPoints);
+  }
   volume.light = light;
   FaceTriangles(volume.mesh, light, which, volume.signs);
   volume.Emit(oneImage);
@@ -72,11 +125,25 @@ Volume MakeVolume(
 
 // How many directed edges are run more often one way than the other. `oneImage`: all images are one
 // point.
-std::size_t CountOpenEdges(const std::vector<Triangle>& triangles, bool oneImage)
+std::size_t CountOpenEdges(const Volume& volume, bool oneImage)
 {
-  const auto pointOf = [oneImage](std::uint32_t i) { return oneImage && i % 2 ? 1u : i; };
+  // Soup has its points for itself.
+  const std::vector<glm::dvec3>& points = volume.mesh.points;
+  const auto isLess = [&points](std::uint32_t a, std::uint32_t b)
+  {
+    return std::tie(points[a].x, points[a].y, points[a].z) <
+      std::tie(points[b].x, points[b].y, points[b].z);
+  };
+  std::map<std::uint32_t, std::uint32_t, decltype(isLess)> welded(isLess);
+  std::vector<std::uint32_t> number;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    number.push_back(welded.emplace(i, i).first->second);
+  }
+  const auto pointOf = [&](std::uint32_t i)
+  { return oneImage && i % 2 ? 1u : 2 * number[i / 2] + i % 2; };
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> incidence;
-  for (const Triangle& t : triangles)
+  for (const Triangle& t : volume.triangles)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -115,11 +182,14 @@ void ExpectClosed(const TestMesh& mesh)
     {
       for (const bool oneImage : { false, true })
       {
-        const Volume volume = MakeVolume(mesh, light, which, oneImage);
-        EXPECT_EQ(CountOpenEdges(volume.triangles, oneImage), 0u)
-          << mesh.name << ", light " << light.x << " " << light.y << " " << light.z << " "
-          << light.w << (which == CastingFaces::All ? ", all faces" : ", closed faces")
-          << (oneImage ? ", one image" : "");
+        for (const bool soupApart : { false, true })
+        {
+          const Volume volume = MakeVolume(mesh, light, which, oneImage, soupApart);
+          EXPECT_EQ(CountOpenEdges(volume, oneImage), 0u)
+            << mesh.name << ", light " << light.x << " " << light.y << " " << light.z << " "
+            << light.w << (which == CastingFaces::All ? ", all faces" : ", closed faces")
+            << (oneImage ? ", one image" : "") << (soupApart ? ", soup apart" : "");
+        }
       }
     }
   }
@@ -154,7 +224,7 @@ int CountCasters(const Volume& volume, const glm::dvec3& p)
   int count = 0;
   for (std::size_t i = 0; i < volume.signs.size(); ++i)
   {
-    const glm::uvec3 t = volume.mesh.triangles[i];
+    const glm::uvec3 t = volume.mesh.Corners(i);
     const glm::dvec3 a = volume.mesh.points[t.x], b = volume.mesh.points[t.y];
     const int crossing = Crossing(p, toward, end, a, b, volume.mesh.points[t.z]);
     count += volume.signs[i] == 0 ? 0 : std::abs(crossing);
@@ -203,13 +273,16 @@ TEST(ShadowVolume, IsClosedWhicheverTrianglesCast)
   std::uniform_int_distribution<int> sign(-1, 1);
   for (const TestMesh& mesh : SmallMeshes())
   {
-    Volume volume = MakeVolume(mesh, { 0, 0, 1, 0 }, CastingFaces::All);
-    for (CastSign& each : volume.signs)
+    for (const bool soupApart : { false, true })
     {
-      each = static_cast<CastSign>(sign(random));
+      Volume volume = MakeVolume(mesh, { 0, 0, 1, 0 }, CastingFaces::All, false, soupApart);
+      for (CastSign& each : volume.signs)
+      {
+        each = static_cast<CastSign>(sign(random));
+      }
+      volume.Emit(false);
+      EXPECT_EQ(CountOpenEdges(volume, false), 0u) << mesh.name;
     }
-    volume.Emit(false);
-    EXPECT_EQ(CountOpenEdges(volume.triangles, false), 0u) << mesh.name;
   }
 }
 
@@ -227,6 +300,7 @@ TEST(ShadowVolume, HoldsAPointAsOftenAsItsRayToTheLightIsCrossed)
       for (const CastingFaces which : { CastingFaces::All, CastingFaces::Closed })
       {
         const Volume volume = MakeVolume(mesh, light, which);
+        const Volume soupApart = MakeVolume(mesh, light, which, false, true);
         for (int i = 0; i < 300; ++i)
         {
           // Half of the points are behind the mesh, as the light sees it.
@@ -239,6 +313,8 @@ TEST(ShadowVolume, HoldsAPointAsOftenAsItsRayToTheLightIsCrossed)
           const int expected = CountCasters(volume, p);
           ASSERT_EQ(Winding(volume, p), expected)
             << mesh.name << ", point " << p.x << " " << p.y << " " << p.z;
+          ASSERT_EQ(Winding(soupApart, p), expected)
+            << mesh.name << ", soup apart, point " << p.x << " " << p.y << " " << p.z;
           inShadow += expected > 0;
         }
       }
@@ -266,8 +342,8 @@ TEST(ShadowVolume, AClosedBodysEdgesCountTwiceWithAllFacesAndOnceWithClosed)
         {
           EXPECT_EQ(edge.multiplicity, expected) << mesh.name;
         }
-        EXPECT_EQ(volume.indices.singles.size(), expected == 1 ? 6 * silhouette.size() : 0u);
-        EXPECT_EQ(volume.indices.doubles.size(), expected == 2 ? 6 * silhouette.size() : 0u);
+        EXPECT_EQ(volume.singles.size(), expected == 1 ? 6 * silhouette.size() : 0u);
+        EXPECT_EQ(volume.doubles.size(), expected == 2 ? 6 * silhouette.size() : 0u);
       }
     }
   }
@@ -337,8 +413,32 @@ TEST(ShadowVolume, HigherMultiplicitiesAreDoublesAndAnOddOneASingle)
     return count;
   };
   // The common edge, from point 0 to 1, has five sides: one single and two doubles.
-  EXPECT_EQ(countOn(volume.indices.singles, 0, 2), 1);
-  EXPECT_EQ(countOn(volume.indices.doubles, 0, 2), 2);
+  EXPECT_EQ(countOn(volume.singles, 0, 2), 1);
+  EXPECT_EQ(countOn(volume.doubles, 0, 2), 2);
+}
+
+TEST(ShadowVolume, TheSilhouetteIsTheSameWithSoupApart)
+{
+  for (const TestMesh& mesh : SmallMeshes())
+  {
+    using Edge = std::array<double, 7>;
+    std::vector<Edge> found[2];
+    for (const bool soupApart : { false, true })
+    {
+      const Volume volume =
+        MakeVolume(mesh, { 2.7, -3.1, 5.3, 1.0 }, CastingFaces::Closed, false, soupApart);
+      std::vector<SilhouetteEdge> silhouette;
+      FindSilhouette(volume.mesh, volume.signs, silhouette);
+      for (const SilhouetteEdge& edge : silhouette)
+      {
+        const glm::dvec3 from = volume.mesh.points[edge.from], to = volume.mesh.points[edge.to];
+        found[soupApart].push_back(
+          { from.x, from.y, from.z, to.x, to.y, to.z, double(edge.multiplicity) });
+      }
+      std::sort(found[soupApart].begin(), found[soupApart].end());
+    }
+    EXPECT_TRUE(found[0] == found[1]) << mesh.name;
+  }
 }
 
 TEST(ShadowVolume, ClosedFacesAreAllFacesWhereTheBoundsHoldTheLight)
@@ -370,12 +470,12 @@ TEST(ShadowVolume, TheSameOnAnyNumberOfThreads)
     return MakeVolume(torus, { 2.7, -3.1, 5.3, 1.0 }, CastingFaces::All);
   };
   const Volume one = make(1), two = make(2);
-  EXPECT_FALSE(one.indices.doubles.empty());
+  EXPECT_FALSE(one.doubles.empty());
   EXPECT_TRUE(one.signs == two.signs);
-  EXPECT_TRUE(one.indices.singles == two.indices.singles);
-  EXPECT_TRUE(one.indices.doubles == two.indices.doubles);
-  EXPECT_TRUE(one.indices.caps == two.indices.caps);
-  EXPECT_TRUE(one.indices.turnedCaps == two.indices.turnedCaps);
+  EXPECT_TRUE(one.singles == two.singles);
+  EXPECT_TRUE(one.doubles == two.doubles);
+  EXPECT_TRUE(one.caps == two.caps);
+  EXPECT_TRUE(one.turnedCaps == two.turnedCaps);
 }
 
 TEST(ShadowVolume, FacingIsDecidedInDoubleForFloatsToo)

@@ -2,6 +2,7 @@
 // same as plain triangles baked into its place.
 #include "ShadowTest.h"
 #include "TestScenes.h"
+#include "vtkShadowScene.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkAssembly.h>
@@ -838,4 +839,118 @@ TEST_F(Props, CullingDoesNotStopCasting)
   Check("back faces culled: pixels changed",
     static_cast<double>(CountDifferent(whole, this->VisibilityBy("depth-map", this->Light))), 0.0);
   this->CheckMeasure("back faces culled", this->Light, 0.1, 0.005);
+}
+
+//------------------------------------------------------------------------------
+// Stand-ins.
+
+// A ball casts as a bar, wherever it is, but for the ray cast.
+TEST_F(Props, AStandInCasts)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(2.0);
+  cube->SetYLength(0.4);
+  cube->SetZLength(0.3);
+  const Mesh bar = Updated(cube);
+  auto ball = ActorOf(Ball({ 0.0, 0.0, 0.0 }, 0.7)), drawnBar = ActorOf(bar);
+  for (vtkActor* actor : { ball.Get(), drawnBar.Get() })
+  {
+    actor->GetProperty()->SetAmbient(0.3); // seen on its dark side, too
+    this->Renderer->AddActor(actor);
+  }
+  const auto check = [&](const std::string& what)
+  {
+    const Visibility ofBall = this->SilhouetteOf(ball);
+    ball->VisibilityOff();
+    drawnBar->SetUserMatrix(ball->GetMatrix());
+    drawnBar->VisibilityOn();
+    const Visibility expected = this->VisibilityBy("ray-cast", this->Light);
+    const Visibility ofBar = this->SilhouetteOf(drawnBar);
+    drawnBar->VisibilityOff();
+    ball->VisibilityOn();
+    const Visibility byItself = this->VisibilityBy("ray-cast", this->Light);
+    vtkShadowPass::SetStandIn(ball, bar);
+    for (const std::string technique : { "depth-map", "stencil-volume" })
+    {
+      const Visibility got = this->VisibilityBy(technique, this->Light);
+      std::size_t wrong = 0, unlikeTheBall = 0;
+      for (std::size_t i = 0; i < got.values.size(); ++i)
+      {
+        // Where neither is drawn, it is the same receiver.
+        if (ofBall.values[i] > 0.5f && ofBar.values[i] > 0.5f)
+        {
+          wrong += (got.values[i] > 0.5f) != (expected.values[i] > 0.5f) ? 1 : 0;
+          unlikeTheBall += (got.values[i] > 0.5f) != (byItself.values[i] > 0.5f) ? 1 : 0;
+        }
+      }
+      CheckAtMost(what + ", " + technique + ": pixels unlike a bar's shadow, % of the window",
+        Share(wrong, got), 0.05);
+      CheckAtLeast(what + ", " + technique + ": pixels unlike the ball's",
+        static_cast<double>(unlikeTheBall), 500.0);
+      Check(what + ": casters", this->Shadows->GetScene()->GetNumberOfCasters(), 3.0); // floor, bar
+      Check(what + ": receivers", this->Shadows->GetScene()->GetNumberOfReceivers(), 3.0);
+    }
+    Check(what + ", ray-cast: pixels changed",
+      static_cast<double>(CountDifferent(byItself, this->VisibilityBy("ray-cast", this->Light))),
+      0.0);
+    vtkShadowPass::SetStandIn(ball, nullptr);
+  };
+  drawnBar->VisibilityOff();
+  ball->SetPosition(0.0, 0.0, 1.2);
+  const Visibility before = this->VisibilityBy("depth-map", this->Light);
+  check("as it is");
+  EXPECT_EQ(vtkShadowPass::GetStandIn(ball), nullptr);
+  Check("removed: pixels changed",
+    static_cast<double>(CountDifferent(before, this->VisibilityBy("depth-map", this->Light))), 0.0);
+  ball->SetPosition(0.4, 0.6, 1.0);
+  ball->RotateZ(70.0);
+  ball->SetScale(1.0, -0.8, 1.2);
+  check("moved");
+}
+
+TEST_F(Props, AStandInIsKeptFromFrameToFrame)
+{
+  auto ball = ActorOf(Ball({ 0.0, 0.0, 0.0 }, 0.7));
+  this->Renderer->AddActor(ball);
+  vtkShadowPass::SetStandIn(ball, Ball({ 0.0, 0.0, 0.0 }, 0.5));
+  this->Shadows->SetLightTechnique(
+    AddSun(this->Renderer, { 0.4, 0.5, -1.0 }).Get(), "stencil-volume");
+  this->Shadows->SetTechnique("depth-map");
+  auto* maps = this->Shadows->GetDepthShadowMapPass();
+  auto* volumes = this->Shadows->GetStencilShadowVolumePass();
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Render(); // the second may draw maps again, without hidden faces
+  }
+  const auto builds = [&]()
+  {
+    return static_cast<double>(maps->GetNumberOfMapBuilds() + volumes->GetNumberOfMeshBuilds() +
+      volumes->GetNumberOfVolumeBuilds());
+  };
+  const double before = builds();
+  this->Render();
+  this->Renderer->GetActiveCamera()->Azimuth(5.0);
+  this->Render();
+  Check("builds, still or orbited", builds() - before, 0.0);
+  ball->SetPosition(0.0, 0.0, 0.3);
+  this->Render();
+  // The map alone: seen from a sun, the volume is the same.
+  Check("builds, moved", builds() - before, 1.0);
+}
+
+TEST_F(Props, AStandInWithoutTriangles)
+{
+  auto ball = ActorOf(Ball({ 0.0, 0.0, 1.2 }, 0.7));
+  this->Renderer->AddActor(ball);
+  const Visibility byItself = this->VisibilityBy("stencil-volume", this->Light);
+  vtkNew<vtkPolyData> empty;
+  vtkShadowPass::SetStandIn(ball, empty);
+  const Visibility got = this->VisibilityBy("stencil-volume", this->Light);
+  std::ostringstream address;
+  address << ball.Get();
+  ExpectOneMessage({ "vtkOpenGLActor (" + address.str() + ")", "without triangles", "SetStandIn" });
+  Check("pixels changed", static_cast<double>(CountDifferent(byItself, got)), 0.0);
+  this->Render();
+  Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
 }

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace shadowtest;
 
@@ -265,6 +266,74 @@ TEST_F(StencilVolumeCasters, WhatHasNoTrianglesIsTold)
   impostor->SetMapper(mapper);
   this->Renderer->AddActor(impostor);
   this->CheckLeftOut("sphere impostor", impostor, { "\"depth-map\"" });
+}
+
+// A closed body, an open sheet and soup in one mesh, none in the shadow of another, so that every
+// way to count is right.
+TEST_F(StencilVolumeCasters, SoupAndSurfacesInOneMesh)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  using Pass = vtkStencilShadowVolumePass;
+  TestMesh mesh = Confetti(4);
+  Append(mesh, Cube(), { -2.5, 1.5, 0.0 });
+  Append(mesh, OpenStrip(), { -0.5, 5.5, 0.0 });
+  auto mixed = AddActor(this->Renderer, ToPolyData(mesh));
+  mixed->SetScale(0.5);
+  mixed->SetPosition(-0.5, -0.8, 1.2);
+  const auto checkAll = [&](const std::string& what)
+  {
+    for (const int variant :
+      { Pass::AUTOMATIC, Pass::Z_FAIL, Pass::Z_PASS, Pass::Z_PASS_CAPPED, Pass::PARITY })
+    {
+      for (const int counter :
+        { Pass::AUTOMATIC_COUNTER, Pass::WRAPPING_STENCIL, Pass::FLOAT_COUNTER })
+      {
+        this->Volumes()->SetVariant(variant);
+        this->Volumes()->SetCounter(counter);
+        this->CheckBoth(
+          what + ", variant " + std::to_string(variant) + ", counter " + std::to_string(counter));
+      }
+    }
+  };
+  checkAll("as it is");
+  mixed->SetScale(-0.5, 0.5, 0.5);
+  mixed->RotateX(15.0);
+  this->Volumes()->ConfinementOff(); // the sun's sides end in one point
+  checkAll("mirrored, to infinity");
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(2.5);
+  checkAll("mirrored, to infinity, parallel");
+}
+
+// Each border has a side of two triangles, one if all images are one point; each triangle two caps
+// where faces are counted behind the receiver.
+TEST_F(StencilVolumeCasters, FacesOfSoup)
+{
+  using Pass = vtkStencilShadowVolumePass;
+  TestMesh mesh = Confetti(3); // 5 triangles and 4 quads
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    // All of one winding: no side stands on a quad's diagonal.
+    glm::uvec3& t = mesh.triangles[i];
+    const glm::dvec3 a = mesh.points[t.x], b = mesh.points[t.y], c = mesh.points[t.z];
+    if ((b.x - a.x) * (c.y - a.y) < (b.y - a.y) * (c.x - a.x))
+    {
+      std::swap(t.y, t.z);
+    }
+  }
+  AddActor(this->Renderer, ToPolyData(mesh))->SetPosition(-1.0, -1.0, 1.5);
+  const auto check = [this](const std::string& what, double faces)
+  {
+    this->Render();
+    Check(what + ": faces", static_cast<double>(this->Volumes()->GetNumberOfFaces()), faces);
+  };
+  const double borders = 5 * 3 + 4 * 4, triangles = 5 + 4 * 2;
+  check("before the receiver, two lights", 2 * 2 * borders);
+  this->Volumes()->SetVariant(Pass::Z_FAIL);
+  check("behind it, two lights", 2 * (2 * borders + 2 * triangles));
+  this->Renderer->RemoveLight(this->Lamp);
+  this->Volumes()->ConfinementOff();
+  check("a sun to infinity", borders + triangles);
 }
 
 //------------------------------------------------------------------------------

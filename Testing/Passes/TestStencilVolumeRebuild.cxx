@@ -126,16 +126,46 @@ TEST_F(StencilVolumeRebuild, WhatIsGoneIsForgotten)
   Check("bytes, in use again", static_cast<double>(this->Volumes()->GetMemoryInBytes()), before);
 }
 
-// Of a closed caster: mesh, its points with the driver, and the volume of one light.
+// Of mesh, its points with the driver, and the volume of one light.
 TEST_F(StencilVolumeRebuild, BytesATriangle)
 {
+  const auto check = [this](const std::string& what, double leastTriangles, double mostBytes)
+  {
+    this->Render();
+    const double triangles = static_cast<double>(this->Volumes()->GetNumberOfTriangles());
+    CheckAtLeast(what + ": triangles", triangles, leastTriangles);
+    CheckAtMost(what + ": bytes a triangle",
+      static_cast<double>(this->Volumes()->GetMemoryInBytes()) / triangles, mostBytes);
+  };
+  const auto add = [this](vtkPolyData* mesh)
+  {
+    auto actor = AddActor(this->Renderer, mesh);
+    actor->SetScale(0.02);
+    actor->SetPosition(-1.0, -1.0, 1.0);
+    return actor;
+  };
   this->Renderer->RemoveAllViewProps();
   this->Renderer->RemoveLight(this->Lamp);
   AddFloor(this->Renderer, 5.0);
-  AddSphere(this->Renderer, { 0.0, 0.0, 1.2 }, 0.9, 200);
-  this->Render();
-  const double triangles = static_cast<double>(this->Volumes()->GetNumberOfTriangles());
-  CheckAtLeast("triangles", triangles, 70000.0);
-  CheckAtMost(
-    "bytes a triangle", static_cast<double>(this->Volumes()->GetMemoryInBytes()) / triangles, 60.0);
+  auto ball = AddSphere(this->Renderer, { 0.0, 0.0, 1.2 }, 0.9, 200);
+  check("closed", 70000.0, 60.0);
+  this->Renderer->RemoveActor(ball);
+
+  // Single triangles, then with as many quads; every one casts.
+  TestMesh soup = Confetti(100), mixed = soup;
+  for (std::size_t i = 0; i < mixed.triangles.size(); ++i)
+  {
+    const glm::uvec3 t = mixed.triangles[i];
+    const auto a = static_cast<unsigned int>(3 * i);
+    soup.points.resize(a);
+    soup.points.insert(soup.points.end(),
+      { mixed.points[t.x], mixed.points[t.y] + glm::dvec3(1e-3 * i, 0.0, 0.0),
+        mixed.points[t.z] + glm::dvec3(0.0, 0.0, 0.5) });
+    soup.triangles[i] = { a, a + 1, a + 2 };
+  }
+  auto single = add(ToPolyData(soup));
+  check("soup", 15000.0, 110.0);
+  this->Renderer->RemoveActor(single);
+  add(ToPolyData(mixed));
+  check("triangles and quads", 15000.0, 110.0);
 }

@@ -101,6 +101,8 @@ class TestArguments(unittest.TestCase):
     def test_props(self):
         self.assert_refused("int is not a vtkProp", vtkshadows.set_casts_shadows, 3, True)
         self.assert_refused("not a vtkProp", vtkshadows.set_receives_shadows, SCENE.light, True)
+        self.assert_refused("not a vtkProp", vtkshadows.set_stand_in, SCENE.light, None)
+        self.assert_refused("str is not a vtkPolyData", vtkshadows.set_stand_in, SCENE.sphere, "hull")
 
     def test_vtk_errors_are_raised(self):
         """What only VTK can find out comes as a RuntimeError with its message, and is not printed."""

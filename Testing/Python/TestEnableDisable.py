@@ -4,6 +4,7 @@ import unittest
 
 import vtkshadows
 from scene import Scene
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
 # One window for all tests: many in one process abort VTK 9.2 under X.
@@ -73,6 +74,21 @@ class TestEnableDisable(unittest.TestCase):
         dark = SCENE.pixel(*SHADOW)
         self.assertEqual(SCENE.frame()[dark].tolist(), self.before[dark].tolist())
         vtkshadows.set_receives_shadows(SCENE.floor, True)
+
+    def test_stand_in(self):
+        vtkshadows.enable(SCENE.renderer)
+        by_itself = SCENE.frame()
+        speck = vtkSphereSource()
+        speck.SetRadius(0.01)
+        speck.SetCenter(*SCENE.sphere.GetCenter())
+        speck.Update()
+        vtkshadows.set_stand_in(SCENE.sphere, speck.GetOutput())
+        changed = int((SCENE.frame() != by_itself).any(axis=-1).sum())
+        print(f"with a speck as stand-in: {changed} pixels changed, at least 500 expected")
+        self.assertGreaterEqual(changed, 500)
+        self.assertEqual(vtkshadows.vtkShadowPass.GetStandIn(SCENE.sphere), speck.GetOutput())
+        vtkshadows.set_stand_in(SCENE.sphere, None)
+        self.assert_same(SCENE.frame(), by_itself)
 
     def test_disable_without_shadows(self):
         self.assertFalse(vtkshadows.disable(SCENE.renderer))

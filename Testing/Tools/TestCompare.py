@@ -20,7 +20,7 @@ LIGHTS = ["--light", "directional:0.3,0.4,-1", "--light", "spot:1,-3,5:0,0,0:30"
 out = succeed("compare", "plate.off", "-o", "made/folder", "--size", "240x180", "--frames", 3,
               "--json", "too.json", *FLOOR, *LIGHTS)  # fmt: skip
 
-techniques = ["depth-map", "stencil-volume", "ray-cast"]
+techniques = ["depth-map", "planar", "stencil-volume", "ray-cast"]
 expected = {"unshadowed.png", "comparison.json"}
 for name in techniques:
     expected.add(f"{name}.png")
@@ -51,7 +51,7 @@ for row in rows:
     check(name + "names VTK and OpenGL", bool(row["vtk_version"] and row["gl_renderer"]), True)
     if row["technique"] == "ray-cast":
         check(name + "mismatch of the truth itself, pixels", row["gross_pixels"], 0)
-    if row["technique"] == "stencil-volume":
+    if row["technique"] in ("planar", "stencil-volume"):
         check(name + "mismatch, %, of what is exact to the pixel", row["mismatch_percent"], 0, 0.01)
 
 # A floor that catches: pictures with alpha, and the same measure.
