@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 vtkStandardNewMacro(vtkDepthShadowMapPass);
 
@@ -124,32 +123,7 @@ public:
   std::vector<BoxCorners> Receivers;  // of this frame, the same for every light
   vtkShadowHiddenFaces HiddenFaces;
   int UsedResolution = 0;
-
-  std::unordered_map<vtkProp*, unsigned int> CulledFaces(
-    const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
-    const ShadowLight& light);
 };
-
-//------------------------------------------------------------------------------
-std::unordered_map<vtkProp*, unsigned int> vtkDepthShadowMapPass::Internals::CulledFaces(
-  const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
-  const ShadowLight& light)
-{
-  const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
-  std::unordered_map<vtkProp*, unsigned int> culled;
-  for (const std::size_t i : casters)
-  {
-    for (const vtkShadowScene::Piece& piece : props[i].Pieces)
-    {
-      const vtkShadowHiddenFaces::Side hidden = this->HiddenFaces.Of(piece, lightWC);
-      if (hidden != vtkShadowHiddenFaces::Side::None)
-      {
-        culled[piece.Prop] = hidden == vtkShadowHiddenFaces::Side::Back ? GL_BACK : GL_FRONT;
-      }
-    }
-  }
-  return culled;
-}
 
 //------------------------------------------------------------------------------
 vtkDepthShadowMapPass::vtkDepthShadowMapPass()
@@ -264,8 +238,8 @@ void vtkDepthShadowMapPass::UpdateMap(const vtkShadowFrame& frame, int lightInde
     // All of the layer is cleared, and its outermost texels stay so: what lies off the map is lit.
     target.Clear(nullptr);
     target.Confine(width, height, 1);
-    frame.Shading->DrawCasters(
-      frame, wanted.Casters, fitted.view, my.CulledFaces(props, wanted.Casters, light.Ray));
+    frame.Shading->DrawCasters(frame, wanted.Casters, fitted.view,
+      my.HiddenFaces.CulledOf(props, wanted.Casters, vtkshadows::HomogeneousLight(light.Ray)));
     ++this->NumberOfMapBuilds;
     my.States[slot] = wanted;
   }

@@ -175,7 +175,8 @@ void vtkPlanarShadowCanvas::Begin(
 
 //------------------------------------------------------------------------------
 bool vtkPlanarShadowCanvas::Throw(const vtkShadowFrame& frame,
-  const std::vector<std::size_t>& casters, const vtkshadows::LightView& view, float share)
+  const std::vector<std::size_t>& casters, const vtkshadows::LightView& view,
+  const std::unordered_map<vtkProp*, unsigned int>& culled, float share)
 {
   if (this->UsedMarks + 1 >= OffPlane)
   {
@@ -197,7 +198,7 @@ bool vtkPlanarShadowCanvas::Throw(const vtkShadowFrame& frame,
   state->vtkglBlendEquation(GL_FUNC_REVERSE_SUBTRACT);
   state->vtkglBlendFuncSeparate(GL_CONSTANT_COLOR, GL_ONE, GL_CONSTANT_COLOR, GL_ONE);
   glBlendColor(share, share, share, share);
-  frame.Shading->DrawCasters(frame, casters, view, {}, false);
+  frame.Shading->DrawCasters(frame, casters, view, culled, false);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   return true;

@@ -11,8 +11,10 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
+class vtkProp;
 struct vtkShadowFrame;
 
 class vtkPlanarShadowCanvas
@@ -42,8 +44,10 @@ public:
   void Begin(const vtkShadowFrame& frame, vtkShadowTextureArray& masks, int layer, bool isSoft);
   // Darken the marked pixels that casters cover by `share` of the light, each once. false if the
   // marks are used up: mark again, and go on.
+  // `culled`: as vtkShadowedShadingPass::DrawCasters has it.
   bool Throw(const vtkShadowFrame& frame, const std::vector<std::size_t>& casters,
-    const vtkshadows::LightView& view, float share);
+    const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled,
+    float share);
   // Plateaus, by their triangles: the least visibility stays. Of a hard light, after Throw.
   void DrawPlateaus(const vtkShadowFrame& frame, const glm::dmat4& clipFromPlateau,
     const std::vector<vtkshadows::PlateauVertex>& triangles);

@@ -8,6 +8,7 @@
 #include "vtkPlanarShadowPassLookup.h"
 #include "vtkShadowCasterMesh.h"
 #include "vtkShadowEye.h"
+#include "vtkShadowHiddenFaces.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowPlanes.h"
 #include "vtkShadowSceneData.h"
@@ -200,6 +201,7 @@ public:
   vtkPlanarShadowPass* Self;
   std::vector<glm::dvec4> Named;
   vtkShadowPlanes Planes;
+  vtkShadowHiddenFaces HiddenFaces;
   vtkPlanarShadowCanvas Canvas, TextureCanvas;
   vtkShadowTextureArray Masks, Depths, Textures;
   std::vector<Shadow> Shadows;      // of this frame, by slot and plane
@@ -350,6 +352,7 @@ bool vtkPlanarShadowPass::UpdateVisibility(
   const bool anyReceiver = std::any_of(planes.begin(), planes.end(),
     [](const vtkShadowPlanes::Plane& plane) { return !plane.Props.empty(); });
   my.SetEye(frame);
+  my.HiddenFaces.BeginFrame(scene.GetProps());
   const std::size_t leftOut = my.FindShadows(frame, lights);
   this->WarnOnce(&my.Planes,
     !anyReceiver
@@ -572,10 +575,12 @@ bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bo
       const float share = 1.0f / static_cast<float>(shadow.Throws.size());
       for (const PlanarThrow& thrown : shadow.Throws)
       {
+        const auto culled =
+          this->HiddenFaces.CulledOf(frame.Scene->GetProps(), shadow.Casters, thrown.light);
         const LightView view = vtkshadows::PlanarView(shadow.PlaneWC, thrown, this->ClipFromWorld,
           shadow.CentreWC, this->Planes.Tolerance(), shadow.Highest);
         while (this->Marked != static_cast<int>(shadow.Plane) ||
-          !this->Canvas.Throw(frame, shadow.Casters, view, share))
+          !this->Canvas.Throw(frame, shadow.Casters, view, culled, share))
         {
           this->MarkPlane(frame, shadow.Plane, isOnlyOne);
         }
@@ -707,11 +712,15 @@ void vtkPlanarShadowPass::Internals::UpdateTexture(const vtkShadowFrame& frame, 
     this->TextureCanvas.Begin(
       frame, this->Textures, static_cast<int>(layer), this->IsSum(*shadow.Light));
     this->TextureCanvas.MarkAll(frame);
+    // It is looked at from where its normal points, whichever side the light is on.
+    const bool isMirrored = shadow.PlaneWC != plane.PlaneWC;
     for (const PlanarThrow& thrown : shadow.Throws)
     {
+      const auto culled = this->HiddenFaces.CulledOf(
+        frame.Scene->GetProps(), shadow.Casters, thrown.light, isMirrored);
       const LightView view = vtkshadows::PlanarView(shadow.PlaneWC, thrown, clipFromWorld,
         shadow.CentreWC, this->Planes.Tolerance(), shadow.Highest);
-      while (!this->TextureCanvas.Throw(frame, shadow.Casters, view, share))
+      while (!this->TextureCanvas.Throw(frame, shadow.Casters, view, culled, share))
       {
         this->TextureCanvas.MarkAll(frame);
       }

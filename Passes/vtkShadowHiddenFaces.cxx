@@ -2,6 +2,9 @@
 
 #include "ShadowReach.h"
 #include "vtkShadowCasterMesh.h"
+#include "vtkShadowOpenGL.h"
+
+#include "vtkProp3D.h"
 
 #include <glm/matrix.hpp>
 
@@ -84,4 +87,24 @@ vtkShadowHiddenFaces::Side vtkShadowHiddenFaces::Of(
   return surface.Hidden == Side::None || !isMirrored ? surface.Hidden
     : surface.Hidden == Side::Back                   ? Side::Front
                                                      : Side::Back;
+}
+
+//------------------------------------------------------------------------------
+std::unordered_map<vtkProp*, unsigned int> vtkShadowHiddenFaces::CulledOf(
+  const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
+  const glm::dvec4& lightWC, bool mirrored)
+{
+  std::unordered_map<vtkProp*, unsigned int> culled;
+  for (const std::size_t i : casters)
+  {
+    for (const vtkShadowScene::Piece& piece : props[i].Pieces)
+    {
+      const Side hidden = this->Of(piece, lightWC);
+      if (hidden != Side::None)
+      {
+        culled[piece.Prop] = (hidden == Side::Back) != mirrored ? GL_BACK : GL_FRONT;
+      }
+    }
+  }
+  return culled;
 }

@@ -12,8 +12,11 @@
 #include <glm/vec4.hpp>
 
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
+
+class vtkProp;
 
 class vtkShadowHiddenFaces
 {
@@ -30,6 +33,12 @@ public:
 
   // A light is (position, 1), or (the unit direction toward it, 0), in world coordinates.
   Side Of(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC);
+
+  // The same as OpenGL has it, GL_FRONT or GL_BACK by leaf, for all pieces of some props;
+  // `mirrored`: drawn so that what is wound one way, seen from the light, is seen the other way.
+  std::unordered_map<vtkProp*, unsigned int> CulledOf(
+    const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
+    const glm::dvec4& lightWC, bool mirrored = false);
 
 private:
   struct Surface
