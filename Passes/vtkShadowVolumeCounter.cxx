@@ -32,6 +32,9 @@ namespace
 // closed.
 constexpr float PushedBack = 4.0f;
 
+// A volume is farther from a receiver than that if its bounds are, in depth.
+constexpr double DepthMargin = 4.0 * PushedBack / (1 << 24);
+
 constexpr int MostInStencil = 255;
 
 // Steps between sample lights' shadows are smoothed if they are no higher than so many of one
@@ -96,6 +99,16 @@ bool HasFaces(const vtkShadowVolumeCaster::Volume& volume, bool soup)
 const void* OffsetOf(std::size_t first, std::size_t size)
 {
   return reinterpret_cast<const void*>(first * size);
+}
+
+void EndDepthBounds()
+{
+#ifdef GL_EXT_depth_bounds_test
+  if (vtkShadowVolumeCounter::HasDepthBounds())
+  {
+    glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
+  }
+#endif
 }
 
 void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec4& v)
@@ -299,6 +312,7 @@ void vtkShadowVolumeCounter::StartVolumes(const vtkShadowFrame& frame, const cha
 
 void vtkShadowVolumeCounter::EndVolumes()
 {
+  EndDepthBounds();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   glBindVertexArray(0);
   glDeleteVertexArrays(1, &this->Arrays);
@@ -321,6 +335,7 @@ void vtkShadowVolumeCounter::EndVolumes()
 // Whether any count stands at the stencil's end, where it may have been held up.
 bool vtkShadowVolumeCounter::HasOverflown()
 {
+  EndDepthBounds();
   GLuint query = 0;
   GLuint any = 0;
   this->State->vtkglDisable(GL_SCISSOR_TEST);
@@ -512,6 +527,34 @@ void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool b
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowVolumeCounter::HasDepthBounds()
+{
+#ifdef GL_EXT_depth_bounds_test
+  return GLEW_EXT_depth_bounds_test && glDepthBoundsEXT;
+#else
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// A receiver before all of a volume, or behind all of it, has as many ways in as out to count: none
+// of them need be drawn there (McGuire et al. 2003). Not of the classical ways, whose faults are to
+// be seen.
+void vtkShadowVolumeCounter::ConfineDepths(const Draw& draw) const
+{
+#ifdef GL_EXT_depth_bounds_test
+  if (this->CurrentEye.UsesDepthClamp && HasDepthBounds())
+  {
+    const double low = 0.5 * draw.Bounds.minimum.z + 0.5, high = 0.5 * draw.Bounds.maximum.z + 0.5;
+    glEnable(GL_DEPTH_BOUNDS_TEST_EXT);
+    glDepthBoundsEXT(std::max(low - DepthMargin, 0.0), std::min(high + DepthMargin, 1.0));
+  }
+#else
+  (void)draw;
+#endif
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
 {
   const int width = this->Frame->Size[0], height = this->Frame->Size[1];
@@ -526,6 +569,7 @@ void vtkShadowVolumeCounter::Add(const Draw& draw, Phase phase)
   }
   this->State->vtkglEnable(GL_SCISSOR_TEST);
   this->State->vtkglScissor(left, bottom, right - left, top - bottom);
+  this->ConfineDepths(draw);
   for (const bool soup : { false, true })
   {
     if (HasFaces(*draw.Volume, soup))

@@ -102,6 +102,9 @@ public:
   std::size_t NumberOfTriangles = 0;
   std::size_t NumberOfOverflows = 0;
 
+  // Whether this driver can pass over pixels by the depth that is stored there.
+  static bool HasDepthBounds();
+
   void Release();
 
 private:
@@ -124,6 +127,7 @@ private:
   bool Begin(const vtkShadowFrame& frame, const Eye& eye, int start, Way way);
   void End();
   void Add(const Draw& draw, Phase phase);
+  void ConfineDepths(const Draw& draw) const;
   bool HasOverflown();
   void StartVolumes(const vtkShadowFrame& frame, const char* fragmentShader);
   void EndVolumes();

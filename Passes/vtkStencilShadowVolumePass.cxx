@@ -235,6 +235,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->NumberOfCulledCasters = 0;
   my.Counter.NumberOfTriangles = 0;
   my.Counter.NumberOfOverflows = 0;
+  this->HasDepthBounds = vtkShadowVolumeCounter::HasDepthBounds();
 
   const auto& sceneLights = frame.Scene->GetLights();
   const bool anySoft = std::any_of(
@@ -483,5 +484,6 @@ void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfZFailCasters: " << this->NumberOfZFailCasters << "\n";
   os << indent << "NumberOfCulledCasters: " << this->NumberOfCulledCasters << "\n";
   os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
+  os << indent << "HasDepthBounds: " << this->HasDepthBounds << "\n";
   os << indent << "NumberOfOverflows: " << this->NumberOfOverflows << "\n";
 }

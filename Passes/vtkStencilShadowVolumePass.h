@@ -29,10 +29,12 @@
  * Everitt, C. and Kilgard, M.: Practical and robust stenciled shadow volumes for
  * hardware-accelerated rendering, 2002 (z-fail, infinite volumes);
  * Hornus, S., Hoberock, J., Lefebvre, S. and Hart, J.: ZP+: correct z-pass stencil shadows, I3D
- * 2005 (near-plane caps); Aldridge, G. and Woods, E.: Robust, geometry-independent shadow volumes,
- * GRAPHITE 2004; Kim, B., Kim, K. and Turk, G.: A shadow-volume algorithm for opaque and
- * transparent nonmanifold casters, Journal of Graphics Tools 13(3), 2008; Peciva, J. et al.: Robust
- * silhouette shadow volumes on contemporary hardware, GraphiCon 2013.
+ * 2005 (near-plane caps); McGuire, M., Hughes, J., Egan, K., Kilgard, M. and Everitt, C.: Fast,
+ * practical and robust shadows, 2003 (depth bounds); Aldridge, G. and Woods, E.: Robust,
+ * geometry-independent shadow volumes, GRAPHITE 2004; Kim, B., Kim, K. and Turk, G.: A
+ * shadow-volume algorithm for opaque and transparent nonmanifold casters, Journal of Graphics Tools
+ * 13(3), 2008; Peciva, J. et al.: Robust silhouette shadow volumes on contemporary hardware,
+ * GraphiCon 2013.
  *
  * @sa vtkShadowPass vtkRayCastShadowPass
  */
@@ -122,8 +124,9 @@ public:
 
   ///@{
   /**
-   * End volumes behind the last receiver, and draw them only where their bounds are seen (on,
-   * default); else they reach to infinity, over the whole viewport.
+   * End volumes behind the last receiver, and draw them only where their bounds are seen and, if
+   * the driver can tell, where the receiver's depth lies within them (on, default); else they reach
+   * to infinity, over the whole viewport.
    */
   vtkSetMacro(Confinement, bool);
   vtkGetMacro(Confinement, bool);
@@ -181,6 +184,13 @@ public:
   vtkGetMacro(NumberOfOverflows, vtkIdType);
   ///@}
 
+  /**
+   * Whether the last frame's driver also confined volumes by the receivers' depth
+   * (EXT_depth_bounds_test), with Confinement and neither a classical variant nor
+   * InfiniteProjection.
+   */
+  vtkGetMacro(HasDepthBounds, bool);
+
   ///@{
   /**
    * What is kept of the casters, in bytes (meshes, points with the driver, volumes of every light;
@@ -223,6 +233,7 @@ protected:
   vtkIdType NumberOfCulledCasters = 0;
   vtkIdType NumberOfFaces = 0;
   vtkIdType NumberOfOverflows = 0;
+  bool HasDepthBounds = false;
 
 private:
   vtkStencilShadowVolumePass(const vtkStencilShadowVolumePass&) = delete;

@@ -7,6 +7,7 @@
 #include <vtkPolyData.h>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace shadowtest;
 
@@ -245,4 +246,36 @@ TEST_F(StencilVolumeVariants, DebugViewsThatCannotBe)
   Check("pixels changed", static_cast<double>(CountDifferent(plain, frame)), 0.0);
   this->Render();
   Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
+}
+
+// Where a driver can pass over pixels by the depth that is stored there, the mask is right all the
+// same: before, in and behind the volumes. Run by a driver that can, too (see CMakeLists.txt).
+TEST_F(StencilVolumeVariants, DepthBounds)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddStillLife(this->Renderer);
+  AddBox(this->Renderer, { -9.0, 14.0, 0.0 }, { 9.0, 15.0, 6.0 });
+  AddBox(this->Renderer, { 1.2, -7.0, 0.0 }, { 1.8, -6.6, 1.0 });
+  AddActor(this->Renderer, ToPolyData(MoebiusStrip()))->SetPosition(0.0, 0.0, 2.4);
+  const vtkSmartPointer<vtkLight> lights[] = { AddSun(this->Renderer, { -0.5, 0.6, -1.0 }),
+    AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 70.0) };
+  for (const bool parallel : { false, true })
+  {
+    this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+    AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+    for (const int variant : { Pass::AUTOMATIC, Pass::Z_FAIL })
+    {
+      this->Volumes()->SetVariant(variant);
+      for (vtkLight* light : lights)
+      {
+        this->CheckTruth(std::string(parallel ? "parallel" : "perspective") +
+            (variant == Pass::Z_FAIL ? ", z-fail" : ", automatic"),
+          light, 0.02, 1.0);
+      }
+    }
+  }
+  if (std::getenv("VTKSHADOWS_TEST_DEPTH_BOUNDS"))
+  {
+    EXPECT_TRUE(this->Volumes()->GetHasDepthBounds()) << "this driver has no depth bounds";
+  }
 }
