@@ -3,12 +3,15 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vtkshadows
 {
@@ -42,6 +45,28 @@ struct Rectangle
   bool IsEmpty() const { return !(this->low.x <= this->high.x && this->low.y <= this->high.y); }
   double Area() const { return (this->high.x - this->low.x) * (this->high.y - this->low.y); }
 };
+
+struct Depths
+{
+  double nearest = Infinity;
+  double farthest = -Infinity;
+
+  void Add(double depth)
+  {
+    this->nearest = std::min(this->nearest, depth);
+    this->farthest = std::max(this->farthest, depth);
+  }
+};
+
+// The projection with these tangents as its sides, a little deeper than `depths`.
+glm::dmat4 Frustum(const Rectangle& tangents, const Depths& depths)
+{
+  const double slack = 1.0 / 1024.0;
+  const double farDepth = depths.farthest * (1.0 + slack);
+  const double nearDepth = std::max(depths.nearest * (1.0 - slack), farDepth * NearestShare);
+  return glm::frustum(tangents.low.x * nearDepth, tangents.high.x * nearDepth,
+    tangents.low.y * nearDepth, tangents.high.y * nearDepth, nearDepth, farDepth);
+}
 
 // A frame whose z axis points against `forward`; rows of the rotation are its axes.
 struct Frame
@@ -347,8 +372,6 @@ LightViewResult FitPositional(const ShadowLight& light, const std::vector<BoxCor
   else
   {
     result.fit = LightViewFit::Refused;
-    result.reason = isSpot ? "its cone is wider than 78 degrees and its casters surround it"
-                           : "it is a point light amid its casters, which need six views";
     return result;
   }
   if (seen.farDepth <= 0.0)
@@ -374,17 +397,131 @@ LightViewResult FitPositional(const ShadowLight& light, const std::vector<BoxCor
     return result;
   }
 
-  box = WithMargin(box, margin);
-  const double slack = 1.0 / 1024.0;
-  const double farDepth = seen.farDepth * (1.0 + slack);
-  const double nearDepth =
-    std::max(seen.whole ? seen.nearDepth * (1.0 - slack) : 0.0, farDepth * NearestShare);
   result.fit = LightViewFit::Fitted;
   result.view.parallel = false;
   result.view.viewFromWorld = frame.ViewFromWorld(light.position);
-  result.view.clipFromView = glm::frustum(box.low.x * nearDepth, box.high.x * nearDepth,
-    box.low.y * nearDepth, box.high.y * nearDepth, nearDepth, farDepth);
+  result.view.clipFromView =
+    Frustum(WithMargin(box, margin), { seen.whole ? seen.nearDepth : 0.0, seen.farDepth });
   return result;
+}
+
+// The corners of one side of a box, in turn.
+constexpr int SidesOfBox[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
+  { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
+
+// What of a polygon lies where n.p >= 0 (Sutherland and Hodgman 1974).
+std::vector<glm::dvec3> ClippedBy(const glm::dvec3& normal, const std::vector<glm::dvec3>& polygon)
+{
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const glm::dvec3& a = polygon[i];
+    const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
+    const double heightA = glm::dot(normal, a), heightB = glm::dot(normal, b);
+    if (heightA >= 0.0)
+    {
+      kept.push_back(a);
+    }
+    if ((heightA < 0.0) != (heightB < 0.0))
+    {
+      kept.push_back(a + heightA / (heightA - heightB) * (b - a));
+    }
+  }
+  return kept;
+}
+
+bool HoldsOrigin(const BoxCorners& box)
+{
+  const glm::dmat3 axes(box[1] - box[0], box[2] - box[0], box[4] - box[0]);
+  const double volume = glm::determinant(axes);
+  const glm::dvec3 place = volume != 0.0 ? glm::inverse(axes) * -box[0] : glm::dvec3(-1.0);
+  return glm::all(glm::greaterThanEqual(place, glm::dvec3(0.0))) &&
+    glm::all(glm::lessThanEqual(place, glm::dvec3(1.0)));
+}
+
+// Depths, along `forward`, of what of a box lies in the pyramid n.p >= 0 with the light, the
+// origin, at its tip.
+Depths DepthsIn(
+  const std::vector<glm::dvec3>& pyramid, const glm::dvec3& forward, const BoxCorners& box)
+{
+  // Each corner of that part lies on the box, or is the tip.
+  Depths depths;
+  for (const auto& side : SidesOfBox)
+  {
+    std::vector<glm::dvec3> polygon = { box[side[0]], box[side[1]], box[side[2]], box[side[3]] };
+    for (const glm::dvec3& normal : pyramid)
+    {
+      polygon = ClippedBy(normal, polygon);
+    }
+    for (const glm::dvec3& p : polygon)
+    {
+      depths.Add(glm::dot(forward, p));
+    }
+  }
+  if (HoldsOrigin(box))
+  {
+    depths.Add(0.0);
+  }
+  return depths;
+}
+
+std::vector<BoxCorners> SeenFrom(const glm::dvec3& lightWC, std::vector<BoxCorners> boxes)
+{
+  for (BoxCorners& corners : boxes)
+  {
+    for (glm::dvec3& corner : corners)
+    {
+      corner -= lightWC;
+    }
+  }
+  return boxes;
+}
+
+// All boxes relative to the light.
+FittedLightView FitFace(int face, const glm::dmat3& cubeAxes, const ShadowLight& light,
+  const std::vector<BoxCorners>& casters, const std::vector<BoxCorners>& receivers, double margin)
+{
+  const int axis = face / 2;
+  const double sign = face % 2 == 0 ? 1.0 : -1.0;
+  const glm::dvec3 s = cubeAxes[(axis + 1) % 3], t = cubeAxes[(axis + 2) % 3];
+  const glm::dvec3 forward = sign * cubeAxes[axis];
+  const Rectangle sides = WithMargin({ glm::dvec2(-1.0), glm::dvec2(1.0) }, margin);
+  const double wide = sides.high.x;
+  std::vector<glm::dvec3> pyramid = { wide * forward - s, wide * forward + s, wide * forward - t,
+    wide * forward + t };
+  if (light.kind == LightKind::Spot)
+  {
+    pyramid.push_back(light.direction); // no cone reaches behind it
+  }
+
+  FittedLightView fitted;
+  double receiverFar = 0.0;
+  for (const BoxCorners& box : receivers)
+  {
+    receiverFar = std::max(receiverFar, DepthsIn(pyramid, forward, box).farthest);
+  }
+  Depths all;
+  for (std::size_t i = 0; i < casters.size(); ++i)
+  {
+    const Depths depths = DepthsIn(pyramid, forward, casters[i]);
+    if (depths.farthest > 0.0 && depths.nearest < receiverFar)
+    {
+      fitted.casters.push_back(i);
+      all.Add(depths.nearest);
+      all.Add(depths.farthest);
+    }
+  }
+  if (!fitted.casters.empty())
+  {
+    Frame frame(forward);
+    frame.x = -sign * s;
+    frame.y = t;
+    fitted.face = face;
+    fitted.view.parallel = false;
+    fitted.view.viewFromWorld = frame.ViewFromWorld(light.position);
+    fitted.view.clipFromView = Frustum(sides, all);
+  }
+  return fitted;
 }
 
 }
@@ -403,6 +540,46 @@ LightViewResult FitLightView(const ShadowLight& light, const std::vector<BoxCorn
   }
   return light.kind == LightKind::Directional ? FitDirectional(light, casters, receivers, margin)
                                               : FitPositional(light, casters, receivers, margin);
+}
+
+LightViews FitLightViews(const ShadowLight& light, const std::vector<BoxCorners>& casters,
+  const std::vector<BoxCorners>& receivers, double margin)
+{
+  LightViews result;
+  const LightViewResult one = FitLightView(light, casters, receivers, margin);
+  if (one.fit == LightViewFit::Fitted)
+  {
+    FittedLightView fitted;
+    fitted.view = one.view;
+    fitted.casters.resize(casters.size());
+    std::iota(fitted.casters.begin(), fitted.casters.end(), std::size_t(0));
+    result.views.push_back(fitted);
+  }
+  if (one.fit != LightViewFit::Refused)
+  {
+    return result;
+  }
+
+  glm::dmat3 axes(1.0);
+  if (light.kind == LightKind::Spot)
+  {
+    const Frame frame(light.direction);
+    axes = { light.direction, frame.y, frame.x };
+  }
+  result.isCube = true;
+  result.cubeFromWorld = glm::translate(glm::dmat4(glm::transpose(axes)), -light.position);
+  const std::vector<BoxCorners> castersAround = SeenFrom(light.position, casters);
+  const std::vector<BoxCorners> receiversAround = SeenFrom(light.position, receivers);
+  for (int face = 0; face < 6; ++face)
+  {
+    const FittedLightView fitted =
+      FitFace(face, axes, light, castersAround, receiversAround, margin);
+    if (fitted.face != NoFace)
+    {
+      result.views.push_back(fitted);
+    }
+  }
+  return result;
 }
 
 }

@@ -4,12 +4,13 @@
  *
  * Technique "depth-map", form lookup: casters are drawn from the light into a map of depths; while
  * a receiver is shaded, its position is compared with the four texels around it and the four
- * answers are blended (2x2 percentage-closer filtering). One view a light: directional and spot
- * lights, and a point light that stands outside its casters.
+ * answers are blended (2x2 percentage-closer filtering). Directional, spot and point lights.
  *
- * The map is fitted in double to the casters that can shadow a receiver. Flat casters that have
- * every receiver on their lit side (the floor under a scene) are left out of it. It is drawn again
- * only if the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
+ * A map is fitted in double to the casters that can shadow a receiver. Flat casters that have
+ * every receiver on their lit side (the floor under a scene) are left out of it. Where one view
+ * cannot hold the light (a point light amid its casters, or a spot wider than 78 degrees amid
+ * them), it has a map for each face of a cube in which a caster can shadow a receiver. A map is
+ * drawn again only if the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
  *
  * Bias is automatic: each texel's depth is compared at that texel's centre on the receiver's own
  * plane there, with a slack of half a texel, along the plane's slope and in depth, plus the
@@ -22,7 +23,8 @@
  *
  * @par Reference
  * Williams 1978 (depth maps); Reeves, Salesin and Cook: Rendering antialiased shadows with depth
- * maps, SIGGRAPH 1987 (percentage-closer filtering); Isidoro: Shadow mapping, GDC 2006 (receiver
+ * maps, SIGGRAPH 1987 (percentage-closer filtering); Gerasimov: Omnidirectional shadow mapping, GPU
+ * Gems 2004 (six faces of a cube); Isidoro: Shadow mapping, GDC 2006 (receiver
  * plane); Dou, Yan, Kerzner, Dai and Wyman: Adaptive depth bias for shadow maps, I3D 2014.
  *
  * @sa vtkShadowPass vtkRayCastShadowPass
@@ -31,6 +33,7 @@
 #define vtkDepthShadowMapPass_h
 
 #include "vtkShadowTechniquePass.h"
+#include "vtkTimeStamp.h" // for what shaders are written with
 
 #include <memory> // for std::unique_ptr
 
@@ -44,8 +47,8 @@ public:
   ///@{
   /**
    * Texels on the longer side of each map, 1 or more (default 2048); the shorter side has as many
-   * as its length asks for, so that texels are square. Above the driver's limit: an error at the
-   * next frame that names the limit, which is then used.
+   * as its length asks for, so that texels are square. Of a cube, each face has them. Above the
+   * driver's limit: an error at the next frame that names the limit, which is then used.
    */
   void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);
@@ -66,9 +69,12 @@ protected:
 
   bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   std::string GetLookupDeclarations() const override;
-  std::string GetLookupFunction(const vtkshadows::ShadowLight& light, vtkProp*) const override;
+  std::string GetLookupFunction(int slot, vtkProp*) const override;
+  int GetLookupIndex(int slot) const override;
   const float* GetLookupMatrix(int slot, vtkProp*) const override;
   const float* GetLitMatrix() const override;
+  void SetLookupParameters(vtkShaderProgram* program, vtkProp*) override;
+  vtkMTimeType GetReceiverStamp() const override { return this->LookupStamp.GetMTime(); }
   vtkShadowTextureArray* GetTextures() override;
   std::string GetSamplerName() const override { return "shadowDepthMaps"; }
 
@@ -79,8 +85,7 @@ private:
   vtkDepthShadowMapPass(const vtkDepthShadowMapPass&) = delete;
   void operator=(const vtkDepthShadowMapPass&) = delete;
 
-  void UpdateMap(const vtkShadowFrame& frame, int light, int slot);
-
+  vtkTimeStamp LookupStamp; // of the functions and layers that shaders are written with
   class Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -770,7 +770,7 @@ std::string vtkPlanarShadowPass::GetLookupDeclarations() const
       vtkPlanarShadowPassLookup;
 }
 
-std::string vtkPlanarShadowPass::GetLookupFunction(const ShadowLight&, vtkProp*) const
+std::string vtkPlanarShadowPass::GetLookupFunction(int, vtkProp*) const
 {
   return this->Internal->MostPlanesOfProp > 1 ? "shadowPlaneTextures" : "shadowPlaneTexture";
 }

@@ -181,7 +181,7 @@ protected:
     return this->PlaneTextures ? "shadowPlaneTextureArray" : "shadowPlanarMasks";
   }
   std::string GetLookupDeclarations() const override;
-  std::string GetLookupFunction(const vtkshadows::ShadowLight& light, vtkProp* prop) const override;
+  std::string GetLookupFunction(int slot, vtkProp* prop) const override;
   const float* GetLookupMatrix(int slot, vtkProp* prop) const override;
   const float* GetLitMatrix() const override;
   void SetLookupParameters(vtkShaderProgram* program, vtkProp* prop) override;

@@ -75,7 +75,7 @@ protected:
 
   ///@{
   /**
-   * The layers that are sampled, one a slot (LOOKUP: maps; MASK: one byte a pixel of the viewport),
+   * The layers that are sampled (LOOKUP: maps; MASK: one a slot, a byte a pixel of the viewport),
    * and the name of the one sampler2DArray that reads them. Called once UpdateVisibility has
    * succeeded.
    */
@@ -85,26 +85,25 @@ protected:
 
   ///@{
   /**
-   * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int slot, vec4 position)`; the name of
-   * f for a light and what a prop shows; and the matrix, column-major, that takes a receiver's
-   * position from the eye's view coordinates to the space that f wants it in, which
+   * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int index, vec4 position)`; the name
+   * of f and its index for a slot and what a prop shows; and the matrix, column-major, that takes a
+   * receiver's position from the eye's view coordinates to the space that f wants it in, which
    * vtkShadowedShadingPass applies. f takes the receiver's plane from screen derivatives; an
-   * impostor, beside whose rim there are none, calls `f(slot, position, along1, along2)` with two
+   * impostor, beside whose rim there are none, calls `f(index, position, along1, along2)` with two
    * directions on its plane, by the same matrix. Every name in it begins with "shadow".
    */
   virtual std::string GetLookupDeclarations() const { return {}; }
-  virtual std::string GetLookupFunction(const vtkshadows::ShadowLight&, vtkProp*) const
-  {
-    return {};
-  }
+  virtual std::string GetLookupFunction(int, vtkProp*) const { return {}; }
+  virtual int GetLookupIndex(int slot) const { return slot; }
   virtual const float* GetLookupMatrix(int, vtkProp*) const { return nullptr; }
   ///@}
 
   ///@{
   /**
    * Whether it tells the visibility of what a prop (a leaf, or a top) shows; else the prop is lit,
-   * and its shader has no code for that. What may change from frame to frame has a stamp, that
-   * grows with it. Asked once UpdateVisibility has succeeded.
+   * and its shader has no code for that. What may change from frame to frame, in this or in the
+   * lookup's functions and indices, has a stamp, that grows with it. Asked once UpdateVisibility
+   * has succeeded.
    */
   virtual bool HasVisibilityOf(vtkProp*) const { return true; }
   virtual vtkMTimeType GetReceiverStamp() const { return 0; }

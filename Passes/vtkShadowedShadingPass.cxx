@@ -517,8 +517,8 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader,
     }
     else
     {
-      code << light.Technique->GetLookupFunction(*light.Light, prop) << "(" << light.Slot << ", "
-           << PositionVarying(i);
+      code << light.Technique->GetLookupFunction(light.Slot, prop) << "("
+           << light.Technique->GetLookupIndex(light.Slot) << ", " << PositionVarying(i);
       if (isImpostor)
       {
         code << ", " << MatrixUniform(i) << " * vec4(shadowAlong1, 0.0), " << MatrixUniform(i)

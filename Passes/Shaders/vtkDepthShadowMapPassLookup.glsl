@@ -82,3 +82,37 @@ float shadowDepthMapPerspective(int slot, vec4 q, vec4 dq1, vec4 dq2)
     shadowDepthMapCompare(slot, p, (dq1.xyz - p * dq1.w) / q.w, (dq2.xyz - p * dq2.w) / q.w);
   return q.w > 0.0 ? visibility : 1.0;
 }
+
+#ifdef SHADOW_DEPTH_MAP_CUBES
+// The six faces of each cube: depth = x + y / (depth before the light), z the layer, w texels per tangent. See
+// Core/LightView.h for how they lie.
+uniform vec4 shadowDepthMapFaces[6 * SHADOW_DEPTH_MAP_CUBES];
+
+// q: as seen from the light, in the cube's axes; dq1, dq2: two directions on the receiver's plane. These are
+// taken ahead of the choice of a face, so that it does not matter what face a neighbour is on.
+float shadowDepthMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
+{
+  vec3 far = abs(q.xyz);
+  bool isX = far.x >= max(far.y, far.z);
+  bool isY = !isX && far.y >= far.z;
+  vec3 r = isX ? q.yzx : isY ? q.zxy : q.xyz;
+  vec3 dr1 = isX ? dq1.yzx : isY ? dq1.zxy : dq1.xyz;
+  vec3 dr2 = isX ? dq2.yzx : isY ? dq2.zxy : dq2.xyz;
+  vec4 face = shadowDepthMapFaces[6 * cube + (isX ? 0 : isY ? 2 : 4) + (r.z < 0.0 ? 1 : 0)];
+
+  float inverse = 1.0 / r.z;
+  vec2 tangents = r.xy * inverse;
+  vec3 scale = vec3(-face.w, face.w * sign(inverse), -face.y * abs(inverse));
+  vec3 p = vec3(scale.xy * tangents + 0.5 * float(SHADOW_DEPTH_MAP_HEIGHT), face.x - scale.z);
+  scale *= inverse;
+  vec3 dp1 = scale * vec3(dr1.xy - tangents * dr1.z, dr1.z);
+  vec3 dp2 = scale * vec3(dr2.xy - tangents * dr2.z, dr2.z);
+  float visibility = shadowDepthMapCompare(int(face.z), p, dp1, dp2);
+  return q.w > 0.0 ? 1.0 : visibility;
+}
+
+float shadowDepthMapCube(int cube, vec4 q)
+{
+  return shadowDepthMapCube(cube, q, dFdx(q), dFdy(q));
+}
+#endif

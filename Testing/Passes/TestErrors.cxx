@@ -236,7 +236,36 @@ TEST_F(Errors, ResolutionAboveTheDrivers)
 }
 
 //------------------------------------------------------------------------------
-// Scenes that cannot be served.
+// Memory for a cube's maps, but not for six of that size; and back.
+TEST_F(Errors, MapsOfAPointLightWithoutMemory)
+{
+  this->AddScene();
+  this->Renderer->RemoveLight(this->Light);
+  AddBox(this->Renderer, { -9.0, -9.0, -1.0 }, { 9.0, 9.0, 12.0 });
+  AddLamp(this->Renderer, { 0.2, 0.1, 2.8 });
+  this->Render();
+  int limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(limit);
+  const Frame frame = this->Render();
+  const std::vector<std::string> messages = TakeMessages();
+  if (messages.empty())
+  {
+    this->CheckShadowed("a driver with memory", frame);
+    return;
+  }
+  Check("messages", static_cast<double>(messages.size()), 1.0);
+  EXPECT_NE(messages[0].find("memory for 6 shadow maps"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("Lower the resolution"), std::string::npos) << messages[0];
+  this->CheckLit("no memory", frame);
+  this->Render();
+  Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(512);
+  this->CheckShadowed("back to 512", this->Render());
+}
+
+//------------------------------------------------------------------------------
+// Scenes that cannot be served, and one that is.
 TEST_F(Errors, PointLightAmidItsCasters)
 {
   this->AddScene();
@@ -246,22 +275,16 @@ TEST_F(Errors, PointLightAmidItsCasters)
     AddSphere(this->Renderer, place, 0.3);
   }
   auto lamp = AddLamp(this->Renderer, { 0.2, 0.1, 2.2 });
-  Frame frame = this->Render();
-  ExpectOneMessage({ "vtkDepthShadowMapPass", "light", "lit", "\"ray-cast\"" });
-  this->CheckLit("amid its casters", frame);
-  this->Render();
-  Check("messages by the next frame", static_cast<double>(TakeMessages().size()), 0.0);
-
-  // Told again once it comes back.
-  lamp->SetPosition(3.0, -3.0, 9.0);
-  this->CheckShadowed("outside", this->Render());
-  lamp->SetPosition(0.2, 0.1, 2.2);
-  this->Render();
-  ExpectOneMessage({ "vtkDepthShadowMapPass", "\"ray-cast\"" });
-  if (this->Shadows->GetRayCastShadowPass())
+  for (const glm::dvec3& place :
+    { glm::dvec3(0.2, 0.1, 2.2), { 3.0, -3.0, 9.0 }, { 0.2, 0.1, 2.2 } })
   {
-    this->Shadows->SetLightTechnique(lamp, "ray-cast");
-    this->CheckShadowed("as told, by ray cast", this->Render());
+    lamp->SetPosition(place.x, place.y, place.z);
+    this->CheckShadowed("amid its casters, outside, and amid them", this->Render());
+    Check("messages", static_cast<double>(TakeMessages().size()), 0.0);
+    if (this->Shadows->GetRayCastShadowPass())
+    {
+      this->CheckMeasure("amid its casters, outside, and amid them", lamp, 0.1, 0.005);
+    }
   }
 }
 

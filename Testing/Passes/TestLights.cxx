@@ -217,6 +217,18 @@ TEST_F(Lights, PositionalOutsideItsCasters)
   }
 }
 
+TEST_F(Lights, PositionalAmidItsCasters)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  for (const double cone : { 80.0, 89.5, 90.0, 180.0 })
+  {
+    auto lamp = AddSpot(this->Renderer, { 0.1, -0.2, 1.2 }, { -0.5, 0.3, 0.0 }, cone);
+    lamp->SetAttenuationValues(0.5, 0.1, 0.0);
+    this->CheckTechniques("positional amid, cone " + std::to_string(int(cone)), { lamp });
+    this->Renderer->RemoveLight(lamp);
+  }
+}
+
 // The same light, placed by its matrix and placed by hand.
 TEST_F(Lights, TransformMatrix)
 {
@@ -326,6 +338,26 @@ TEST_F(Lights, SixteenLights)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
   this->CheckTechniques("16 lights", AddRing(this->Renderer, 16));
+}
+
+// With maps of one view and of several.
+TEST_F(Lights, SixteenLightsOfEveryKind)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(1024);
+  Lamps lamps = AddRing(this->Renderer, 10);
+  for (int i = 0; i < 6; ++i)
+  {
+    const glm::dvec3 place(-0.2 + 0.1 * i, -1.5 + 0.5 * i, 1.0 + 0.1 * i);
+    lamps.push_back(
+      AddSpot(this->Renderer, place, { 0.1 * i, 0.0, 0.2 }, i % 2 == 0 ? 180.0 : 82.0 + i));
+    lamps.back()->SetIntensity(0.08);
+  }
+  this->CheckColours("16 lights of every kind", lamps);
+  for (vtkLight* lamp : lamps)
+  {
+    this->CheckMeasure("16 lights of every kind", lamp, Mismatch, Gross);
+  }
 }
 
 // From nine depth maps on, not every light's position can go through the rasteriser.

@@ -1,0 +1,291 @@
+// The depth maps of a light that one view cannot hold: a point light amid its casters, or a spot
+// that is wide and amid them. Against the truth, as seamless as one map, and drawn only when stale.
+#include "ShadowTest.h"
+#include "TestScenes.h"
+
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkTransform.h>
+
+#include <vector>
+
+using namespace shadowtest;
+
+namespace
+{
+
+// In percent of the receiver pixels.
+constexpr double Mismatch = 0.1;
+constexpr double Gross = 0.005;
+
+struct Eye
+{
+  glm::dvec3 position;
+  glm::dvec3 focus;
+};
+
+class DepthMapCubes : public ShadowTest
+{
+protected:
+  void SetUp() override
+  {
+    ShadowTest::SetUp();
+    this->Renderer->AutomaticLightCreationOff();
+    this->Renderer->SetPass(this->Shadows);
+    this->Maps()->SetResolution(1024);
+    // A room has all in view that is in it.
+    this->Renderer->GetActiveCamera()->SetViewAngle(80.0);
+  }
+
+  // Walls, floor and ceiling cast and receive, as one closed box.
+  void AddRoom()
+  {
+    AddBox(this->Renderer, { -3.0, -3.0, 0.0 }, { 3.0, 3.0, 4.0 });
+    AddSphere(this->Renderer, { 1.5, 1.5, 1.0 }, 0.6);
+    AddSphere(this->Renderer, { -1.6, 0.2, 2.0 }, 0.4);
+    AddSphere(this->Renderer, { 0.3, 1.8, 3.0 }, 0.3);
+    AddBox(this->Renderer, { 0.5, -1.8, 0.0 }, { 1.3, -0.9, 0.9 });
+    AddBox(this->Renderer, { -0.95, -1.15, 0.0 }, { -0.65, -0.85, 3.0 }); // a pillar
+  }
+
+  void CheckRoom(const std::string& what, vtkLight* lamp, double gross)
+  {
+    const Eye eyes[] = { { { 0.0, -2.8, 1.5 }, { 0.0, 3.0, 1.5 } },
+      { { 2.5, 2.5, 3.5 }, { -1.0, -1.0, 0.5 } }, { { -2.8, -2.5, 0.5 }, { 1.0, 1.0, 2.0 } },
+      { { -2.8, 2.5, 3.2 }, { 1.0, -1.0, 1.0 } } };
+    for (const Eye& eye : eyes)
+    {
+      LookAt(this->Renderer, eye.position, eye.focus);
+      this->Render();
+      this->CheckMeasure(what, lamp, Mismatch, gross);
+      EXPECT_GT(this->VisibilityOf(lamp).CountShadowed(), 1000u) << what << ": few shadows";
+    }
+  }
+
+  // How many maps the next frame draws.
+  vtkIdType Drawn()
+  {
+    const vtkIdType before = this->Maps()->GetNumberOfMapBuilds();
+    this->Render();
+    return this->Maps()->GetNumberOfMapBuilds() - before;
+  }
+  void CheckDrawn(const std::string& what, double maps)
+  {
+    Check(what + ": maps drawn", static_cast<double>(this->Drawn()), maps);
+    const Frame frame = this->Render();
+    vtkNew<vtkShadowPass> fresh;
+    fresh->GetDepthShadowMapPass()->SetResolution(1024);
+    this->Renderer->SetPass(fresh);
+    const Frame expected = this->Render();
+    this->Renderer->SetPass(this->Shadows);
+    Check(what + ": pixels unlike a fresh pass's",
+      static_cast<double>(CountDifferent(frame, expected)), 0.0);
+    Check(what + ": maps drawn by the next frame", static_cast<double>(this->Drawn()), 0.0);
+  }
+
+  vtkDepthShadowMapPass* Maps() { return this->Shadows->GetDepthShadowMapPass(); }
+};
+
+}
+
+// In the middle of the room the edges of the cube run into those of the room.
+TEST_F(DepthMapCubes, PointLightInAClosedRoom)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddRoom();
+  for (const glm::dvec3& place :
+    { glm::dvec3(0.0, 0.0, 2.0), { 0.2, 0.3, 2.1 }, { -2.2, 2.4, 0.3 }, { 1.0, -1.0, 3.9 } })
+  {
+    auto lamp = AddLamp(this->Renderer, place);
+    this->CheckRoom("point light in a room", lamp, 0.0);
+    this->Renderer->RemoveLight(lamp);
+  }
+}
+
+// The whole cone is twice as wide.
+TEST_F(DepthMapCubes, SpotsOfAnyConeInAClosedRoom)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddRoom();
+  for (const double cone : { 60.0, 78.0, 80.0, 85.0, 89.5 })
+  {
+    for (const glm::dvec3& focus : { glm::dvec3(0.2, 0.3, 0.0), { -3.0, 1.0, 0.5 } })
+    {
+      auto spot = AddSpot(this->Renderer, { 0.2, 0.3, 2.1 }, focus, cone);
+      this->CheckRoom("spot of " + std::to_string(2.0 * cone) + " degrees", spot, Gross);
+      this->Renderer->RemoveLight(spot);
+    }
+  }
+}
+
+TEST_F(DepthMapCubes, PointLightAmidAStillLife)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddStillLife(this->Renderer);
+  this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
+  for (const glm::dvec3& place :
+    { glm::dvec3(0.1, 0.1, 0.7), { 0.0, 0.0, 1.5 }, { 0.3, 0.2, 0.3 } })
+  {
+    auto lamp = AddLamp(this->Renderer, place);
+    for (const double azimuth : { -15.0, 80.0, 200.0 })
+    {
+      AimCamera(this->Renderer, subject, azimuth, 35.0, 800, 600);
+      this->Resize(800, 600);
+      this->Render();
+      this->CheckMeasure("point light amid a still life", lamp, Mismatch, Gross);
+    }
+    this->Renderer->RemoveLight(lamp);
+  }
+}
+
+TEST_F(DepthMapCubes, OffsetsAndScales)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const struct
+  {
+    const char* name;
+    double offset;
+    double scale;
+  } placements[] = { { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
+    { "scale 1e6", 0.0, 1e6 } };
+  for (const auto& placement : placements)
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->RemoveAllLights();
+    Subject subject = AddStillLife(this->Renderer);
+    this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
+    const auto place = [&placement](const glm::dvec3& p)
+    { return glm::dvec3(placement.offset) + placement.scale * p; };
+    vtkNew<vtkTransform> worldFromScene;
+    worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
+    worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
+    PlaceActors(this->Renderer, worldFromScene, true);
+    auto lamp = AddLamp(this->Renderer, place({ 0.1, 0.1, 0.7 }));
+    subject.centre = place(subject.centre);
+    subject.radius *= placement.scale;
+    AimCamera(this->Renderer, subject, -15.0, 28.0, 640, 480);
+    this->Resize(640, 480);
+    this->Render();
+    this->CheckMeasure(placement.name, lamp, Mismatch, Gross);
+  }
+}
+
+TEST_F(DepthMapCubes, SphereImpostors)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddRoom();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 0.2, 2.6);
+  points->InsertNextPoint(-0.6, 1.2, 1.2);
+  points->InsertNextPoint(0.3, -1.2, 2.9);
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(places);
+  mapper->SetRadius(0.3f);
+  vtkNew<vtkActor> balls;
+  balls->SetMapper(mapper);
+  this->Renderer->AddActor(balls);
+  this->CheckRoom("impostors", AddLamp(this->Renderer, { 0.2, 0.3, 2.1 }), Gross);
+}
+
+// What a pane receives and what it hides does not hang on its opacity.
+TEST_F(DepthMapCubes, TranslucentReceivers)
+{
+  this->AddRoom();
+  auto lamp = AddLamp(this->Renderer, { 0.2, 0.3, 2.1 });
+  auto pane = AddBox(this->Renderer, { -2.9, 2.0, 0.5 }, { 2.9, 2.1, 3.5 });
+  vtkShadowPass::SetCastsShadows(pane, false);
+  LookAt(this->Renderer, { 0.0, -2.8, 1.5 }, { 0.0, 3.0, 1.5 });
+  pane->GetProperty()->SetOpacity(0.999);
+  const Frame translucent = this->Render();
+  pane->GetProperty()->SetOpacity(1.0);
+  const Frame opaque = this->Render();
+  CheckAtMost("pixels unlike the opaque pane's",
+    static_cast<double>(CountDifferent(translucent, opaque, 2)), 0.0);
+  vtkShadowPass::SetReceivesShadows(pane, false);
+  CheckAtLeast("pixels of its shadows",
+    static_cast<double>(CountDifferent(opaque, this->Render(), 30)), 1000.0);
+  pane->GetProperty()->SetOpacity(0.5);
+  this->Render();
+  this->VisibilityOf(lamp);
+}
+
+TEST_F(DepthMapCubes, OnlyFacesWithCastersHaveMaps)
+{
+  auto right = AddSphere(this->Renderer, { 2.0, 0.0, 0.0 }, 0.5);
+  auto left = AddSphere(this->Renderer, { -2.0, 0.0, 0.0 }, 0.5);
+  auto wall = AddBox(this->Renderer, { 3.0, -2.0, -2.0 }, { 3.1, 2.0, 2.0 });
+  LookAt(this->Renderer, { -1.0, -7.0, 3.0 }, { 1.0, 0.0, 0.0 });
+  auto lamp = AddLamp(this->Renderer, { 0.0, 0.0, 0.0 });
+  this->CheckDrawn("balls on two sides", 2.0);
+  vtkShadowPass::SetReceivesShadows(left, false);
+  this->Render();
+  lamp->SetPosition(0.1, 0.0, 0.0);
+  this->CheckDrawn("only one of them and a wall receive", 1.0);
+  vtkShadowPass::SetReceivesShadows(right, false);
+  vtkShadowPass::SetReceivesShadows(wall, false);
+  const Frame lit = this->Render();
+  Check("nothing receives: pixels unlike the unshadowed frame",
+    static_cast<double>(CountDifferent(lit, this->RenderWithoutPass())), 0.0);
+}
+
+TEST_F(DepthMapCubes, OnlyStaleMapsAreDrawn)
+{
+  this->AddRoom();
+  LookAt(this->Renderer, { 0.0, -2.8, 1.5 }, { 0.0, 3.0, 1.5 });
+  auto lamp = AddLamp(this->Renderer, { 0.2, 0.3, 2.1 });
+  auto spot = AddSpot(this->Renderer, { 2.0, -2.0, 3.0 }, { 0.0, 0.0, 1.0 }, 85.0);
+  auto narrow = AddSpot(this->Renderer, { -2.0, -2.0, 3.5 }, { 0.0, 0.0, 1.0 }, 40.0);
+  for (vtkLight* light : { lamp.Get(), spot.Get(), narrow.Get() })
+  {
+    light->SetIntensity(0.3);
+  }
+  this->CheckDrawn("first", 12.0);
+  LookAt(this->Renderer, { 1.0, -2.5, 1.8 }, { 0.0, 3.0, 1.5 });
+  this->CheckDrawn("camera moved", 0.0);
+  lamp->SetPosition(0.3, 0.3, 2.1);
+  this->CheckDrawn("point light moved", 6.0);
+  narrow->SetPosition(-2.0, -1.9, 3.5);
+  this->CheckDrawn("spot of one map moved", 1.0);
+  spot->SetPosition(2.0, -1.9, 3.0);
+  this->CheckDrawn("spot of five maps moved", 5.0);
+  lamp->SwitchOff();
+  this->CheckDrawn("point light off", 0.0);
+  lamp->SwitchOn();
+  this->CheckDrawn("point light on", 0.0);
+  // It goes into the cone's one view, and back.
+  spot->SetConeAngle(60.0);
+  this->CheckDrawn("cone of 120 degrees", 1.0);
+  spot->SetConeAngle(85.0);
+  this->CheckDrawn("cone of 170 degrees", 1.0);
+}
+
+TEST_F(DepthMapCubes, ResolutionsAndStrength)
+{
+  this->AddRoom();
+  LookAt(this->Renderer, { 0.0, -2.8, 1.5 }, { 0.0, 3.0, 1.5 });
+  auto lamp = AddLamp(this->Renderer, { 0.2, 0.3, 2.1 });
+  const Visibility fine = this->VisibilityBy("depth-map", lamp);
+  for (const int resolution : { 1, 2, 3, 7, 64, 256 })
+  {
+    this->Maps()->SetResolution(resolution);
+    this->Render();
+  }
+  CheckAtMost("pixels that 256 texels change",
+    static_cast<double>(CountDifferent(fine, this->VisibilityOf(lamp))),
+    0.02 * static_cast<double>(fine.values.size()));
+  this->Shadows->SetLightStrength(lamp, 0.5);
+  const Frame half = this->Render();
+  const Frame lit = this->RenderWithoutPass();
+  this->Shadows->SetLightStrength(lamp, 1.0);
+  const Frame whole = this->Render();
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < lit.rgb.size(); ++i)
+  {
+    wrong += std::abs(2 * half.rgb[i] - lit.rgb[i] - whole.rgb[i]) > 3 ? 1 : 0;
+  }
+  Check("components that are not half in shadow", static_cast<double>(wrong), 0.0);
+}
