@@ -106,15 +106,16 @@ glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, i
 using FaceParameters = std::array<float, 4>;
 
 // A face on which nothing casts: every depth is nearer to the light.
-constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 0.0f };
+constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
+// In a cube of which `unit` is 1.
 FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
-  int side, const std::vector<BoxCorners>& castersWC)
+  int side, double unit, const std::vector<BoxCorners>& castersWC)
 {
   const glm::dmat4 map = MapFromClip(side, side) * view.clipFromView;
   const double slack = DepthSlack(
     map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, viewFromWorld, side, castersWC);
-  return { static_cast<float>(-map[2][2]), static_cast<float>(map[3][2] - slack),
+  return { static_cast<float>(-map[2][2]), static_cast<float>((map[3][2] - slack) / unit),
     static_cast<float>(layer), static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
 
@@ -314,21 +315,31 @@ bool vtkDepthShadowMapPass::Internals::UpdateLookups(const glm::dmat4& viewFromW
     lookup.Function =
       slot.Kind == LightKind::Directional ? "shadowDepthMapParallel" : "shadowDepthMapPerspective";
     ShaderMatrix matrix = LitEverywhere;
-    if (slot.IsCube)
+    if (slot.IsCube && !slot.Views.empty())
     {
       lookup.Function = "shadowDepthMapCube";
       lookup.Index = static_cast<int>(this->Faces.size() / 6);
       this->Faces.resize(this->Faces.size() + 6, LitFace);
+      // Of a size that the squares and cubes of its coordinates are floats.
+      double unit = 0.0;
+      for (const BoxCorners& corners : slot.Casters)
+      {
+        for (const glm::dvec3& corner : corners)
+        {
+          unit =
+            std::max(unit, glm::length(glm::dvec3(slot.CubeFromWorld * glm::dvec4(corner, 1.0))));
+        }
+      }
       for (const PlacedView& view : slot.Views)
       {
         this->Faces[6 * lookup.Index + view.Face] = ParametersOf(
-          view.Wanted.View, viewFromWorld, view.Layer, this->UsedResolution, slot.Casters);
+          view.Wanted.View, viewFromWorld, view.Layer, this->UsedResolution, unit, slot.Casters);
       }
-      glm::dmat4 cube = slot.CubeFromWorld * glm::inverse(viewFromWorld);
+      glm::dmat4 cube = slot.CubeFromWorld * glm::inverse(viewFromWorld) / unit;
       cube[3][3] = 0.0; // a direction, and not lit everywhere
       matrix = vtkShadowMatrix::ToFloats(cube);
     }
-    else if (!slot.Views.empty())
+    else if (!slot.IsCube && !slot.Views.empty())
     {
       const LightView& view = slot.Views.front().Wanted.View;
       lookup.Index = slot.Views.front().Layer;

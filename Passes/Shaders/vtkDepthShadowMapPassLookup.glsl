@@ -21,15 +21,9 @@ vec4 shadowDepthMapGather(int slot, vec2 corner)
 #endif
 }
 
-// p: texels, and depth less the bound of its rounding; dx, dy: how p changes along two directions on the
-// receiver's plane.
-float shadowDepthMapCompare(int slot, vec3 p, vec3 dx, vec3 dy)
+// p: texels, and depth less the bound of its rounding; slope: of the receiver's plane, in depth per texel.
+float shadowDepthMapCompare(int slot, vec3 p, vec2 slope)
 {
-  // The receiver's plane in the map: depth change per texel.
-  float determinant = dx.x * dy.y - dx.y * dy.x;
-  float inverse = determinant != 0.0 ? 1.0 / determinant : 0.0;
-  vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
-
   // Half a texel of slope for what the rasteriser did not put exactly at the texel's centre.
   float rise = abs(slope.x) + abs(slope.y);
   float slack = min(0.5 * rise, 1.0);
@@ -55,6 +49,16 @@ float shadowDepthMapCompare(int slot, vec3 p, vec3 dx, vec3 dy)
   float surface = mix(mix(depth.w, depth.z, f.x), mix(depth.x, depth.y, f.x), f.y);
   bool isLit = farthest - nearest <= 4.0 * rise && p.z - slack <= surface;
   return isLit ? 1.0 : visibility;
+}
+
+// dx, dy: how p changes along two directions on the receiver's plane.
+float shadowDepthMapCompare(int slot, vec3 p, vec3 dx, vec3 dy)
+{
+  // The receiver's plane in the map: depth change per texel.
+  float determinant = dx.x * dy.y - dx.y * dy.x;
+  float inverse = determinant != 0.0 ? 1.0 / determinant : 0.0;
+  vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
+  return shadowDepthMapCompare(slot, p, slope);
 }
 
 float shadowDepthMapParallel(int slot, vec4 q)
@@ -88,31 +92,36 @@ float shadowDepthMapPerspective(int slot, vec4 q, vec4 dq1, vec4 dq2)
 // Core/LightView.h for how they lie.
 uniform vec4 shadowDepthMapFaces[6 * SHADOW_DEPTH_MAP_CUBES];
 
-// q: as seen from the light, in the cube's axes; dq1, dq2: two directions on the receiver's plane. These are
-// taken ahead of the choice of a face, so that it does not matter what face a neighbour is on.
-float shadowDepthMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
+// q: as seen from the light, in the cube's axes; normal: of the receiver's plane. Neither knows of faces, so
+// that it does not matter what face a neighbour is on.
+float shadowDepthMapCube(int cube, vec4 q, vec3 normal)
 {
-  vec3 far = abs(q.xyz);
-  bool isX = far.x >= max(far.y, far.z);
-  bool isY = !isX && far.y >= far.z;
+  vec3 reach = abs(q.xyz);
+  bool isX = reach.x >= max(reach.y, reach.z);
+  bool isY = !isX && reach.y >= reach.z;
   vec3 r = isX ? q.yzx : isY ? q.zxy : q.xyz;
-  vec3 dr1 = isX ? dq1.yzx : isY ? dq1.zxy : dq1.xyz;
-  vec3 dr2 = isX ? dq2.yzx : isY ? dq2.zxy : dq2.xyz;
+  vec2 n = isX ? normal.yz : isY ? normal.zx : normal.xy;
   vec4 face = shadowDepthMapFaces[6 * cube + (isX ? 0 : isY ? 2 : 4) + (r.z < 0.0 ? 1 : 0)];
 
   float inverse = 1.0 / r.z;
-  vec2 tangents = r.xy * inverse;
-  vec3 scale = vec3(-face.w, face.w * sign(inverse), -face.y * abs(inverse));
-  vec3 p = vec3(scale.xy * tangents + 0.5 * float(SHADOW_DEPTH_MAP_HEIGHT), face.x - scale.z);
-  scale *= inverse;
-  vec3 dp1 = scale * vec3(dr1.xy - tangents * dr1.z, dr1.z);
-  vec3 dp2 = scale * vec3(dr2.xy - tangents * dr2.z, dr2.z);
-  float visibility = shadowDepthMapCompare(int(face.z), p, dp1, dp2);
+  float way = r.z < 0.0 ? -1.0 : 1.0;
+  vec3 p = vec3(vec2(-face.w, face.w * way) * r.xy * inverse + 0.5 * float(SHADOW_DEPTH_MAP_HEIGHT),
+    face.x + face.y * abs(inverse));
+
+  // On the plane n.q = h the inverse of the depth is linear in the tangents.
+  float h = dot(normal, q.xyz);
+  vec2 slope = vec2(-way, 1.0) * n * (h != 0.0 ? face.y / (face.w * h) : 0.0);
+  float visibility = shadowDepthMapCompare(int(face.z), p, slope);
   return q.w > 0.0 ? 1.0 : visibility;
 }
 
 float shadowDepthMapCube(int cube, vec4 q)
 {
-  return shadowDepthMapCube(cube, q, dFdx(q), dFdy(q));
+  return shadowDepthMapCube(cube, q, cross(dFdx(q.xyz), dFdy(q.xyz)));
+}
+
+float shadowDepthMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
+{
+  return shadowDepthMapCube(cube, q, cross(dq1.xyz, dq2.xyz));
 }
 #endif
