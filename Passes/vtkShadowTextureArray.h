@@ -1,4 +1,4 @@
-// A 2D texture array: maps and masks, one layer a light, behind a single sampler (vtkTextureObject
+// A 2D texture array: maps or masks, a layer each, behind a single sampler (vtkTextureObject
 // has no array target). Released with its window, or on destruction while the window lives.
 #ifndef vtkShadowTextureArray_h
 #define vtkShadowTextureArray_h

@@ -9,7 +9,9 @@
 #include <vtkProperty.h>
 #include <vtkTransform.h>
 
-#include <vector>
+#include <algorithm>
+#include <cstdlib>
+#include <random>
 
 using namespace shadowtest;
 
@@ -115,6 +117,30 @@ TEST_F(DepthMapCubes, PointLightAtTheWalls)
     auto lamp = AddLamp(this->Renderer, place);
     this->CheckRoom("point light at the walls", lamp, Gross);
     this->Renderer->RemoveLight(lamp);
+  }
+}
+
+// Nothing may be darkened, along the edges of the cube or
+// anywhere else. Rooms, lamps and views by lot.
+TEST_F(DepthMapCubes, AnEmptyRoomIsLit)
+{
+  auto room = AddBox(this->Renderer, { -3.0, -3.0, -2.0 }, { 3.0, 3.0, 2.0 });
+  auto lamp = AddLamp(this->Renderer, { 0.0, 0.0, 0.0 });
+  this->Maps()->SetResolution(2048);
+  std::mt19937 random(1);
+  const auto any = [&random](double low, double high)
+  { return low + (high - low) * (random() / double(random.max())); };
+  for (int round = 0; round < 30; ++round)
+  {
+    room->SetOrientation(any(0.0, 360.0), any(0.0, 360.0), any(0.0, 360.0));
+    lamp->SetPosition(any(-1.2, 1.2), any(-1.2, 1.2), any(-1.2, 1.2));
+    const glm::dvec3 eye(any(-1.2, 1.2), any(-1.2, 1.2), any(-1.2, 1.2));
+    LookAt(this->Renderer, eye, eye + glm::dvec3(any(-1.0, 1.0), any(-1.0, 1.0), any(-0.5, 0.5)));
+    this->Render();
+    const Visibility visibility = this->VisibilityOf(lamp);
+    const auto dark = std::count_if(visibility.values.begin(), visibility.values.end(),
+      [](float value) { return value < 0.99f; });
+    Check("room " + std::to_string(round) + ": darkened pixels", static_cast<double>(dark), 0.0);
   }
 }
 
