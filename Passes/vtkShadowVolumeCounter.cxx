@@ -530,7 +530,7 @@ void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool b
 bool vtkShadowVolumeCounter::HasDepthBounds()
 {
 #ifdef GL_EXT_depth_bounds_test
-  return GLEW_EXT_depth_bounds_test && glDepthBoundsEXT;
+  return VTKSHADOWS_GL_HAS(EXT_depth_bounds_test) && glDepthBoundsEXT;
 #else
   return false;
 #endif
