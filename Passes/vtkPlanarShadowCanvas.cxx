@@ -77,16 +77,27 @@ void vtkPlanarShadowCanvas::KeepTo(int width, int height)
 
 //------------------------------------------------------------------------------
 bool vtkPlanarShadowCanvas::DrawReceivers(const vtkShadowFrame& frame,
-  vtkShadowTextureArray& depths, const vtkshadows::LightView& view,
-  const std::vector<std::size_t>& props)
+  vtkShadowTextureArray& depths, vtkShadowTextureArray& planes, const vtkshadows::LightView& view,
+  const std::vector<std::size_t>& props, const std::vector<float>& planesOfProps)
 {
-  vtkShadowDrawScope target(frame.Window, depths, 0);
+  vtkShadowDrawScope target(frame.Window, depths, 0, &planes, 0);
   if (!target.IsComplete())
   {
     return false;
   }
-  target.Clear(nullptr);
-  frame.Shading->DrawDepths(frame, view, &props);
+  const float none[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  target.Clear(none);
+  // They are drawn white: blending makes a number of it.
+  vtkOpenGLState* state = frame.Window->GetState();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_CONSTANT_COLOR, GL_ZERO, GL_CONSTANT_COLOR, GL_ZERO);
+  for (std::size_t i = 0; i < props.size(); ++i)
+  {
+    glBlendColor(planesOfProps[i], planesOfProps[i], planesOfProps[i], planesOfProps[i]);
+    const std::vector<std::size_t> one = { props[i] };
+    frame.Shading->DrawDepths(frame, view, &one);
+  }
   return true;
 }
 
@@ -131,7 +142,8 @@ void vtkPlanarShadowCanvas::MarkReceivers(const vtkShadowFrame& frame,
 
 //------------------------------------------------------------------------------
 void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
-  const glm::dvec3& depthBeneath, const glm::dvec3& depthAbove)
+  vtkShadowTextureArray& planes, float bit, const glm::dvec3& depthBeneath,
+  const glm::dvec3& depthAbove, double slack)
 {
   vtkOpenGLState* state = frame.Window->GetState();
   vtkShadowDrawScope target(frame.Window, this->Marks, 0);
@@ -143,19 +155,24 @@ void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowText
 
   vtkShaderProgram* program = Ready(frame, vtkPlanarShadowPassMarkFS);
   // Each term is rounded, too.
-  double terms = 0.0;
+  double terms = 0.0, slope = 0.0;
   for (const glm::dvec3& plane : { depthBeneath, depthAbove })
   {
+    slope = std::max(slope, std::abs(plane.x) + std::abs(plane.y));
     terms = std::max(terms,
       std::abs(plane.x) * frame.Size[0] + std::abs(plane.y) * frame.Size[1] + std::abs(plane.z));
   }
   SetVector(program, "shadowDepthBeneath", depthBeneath);
   SetVector(program, "shadowDepthAbove", depthAbove);
-  program->SetUniformf(
-    "shadowDepthTolerance", static_cast<float>(std::ldexp(DepthSteps + 4.0 * terms, -24)));
+  program->SetUniformf("shadowDepthTolerance",
+    static_cast<float>(std::ldexp(DepthSteps + 4.0 * terms, -24) + slack * slope));
   depths.Activate();
+  planes.Activate();
   program->SetUniformi("shadowDepths", depths.Unit());
+  program->SetUniformi("shadowPlanesOfPixel", planes.Unit());
+  program->SetUniformf("shadowPlaneBit", bit);
   DrawFullScreen();
+  planes.Deactivate();
   depths.Deactivate();
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }

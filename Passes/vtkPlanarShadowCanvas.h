@@ -24,17 +24,22 @@ public:
   // none.
   bool Reserve(const vtkShadowFrame& frame, int width, int height, bool sums);
 
-  // The depth of the opaque `props`, seen by `view`, into a texture of the same size. false if the
-  // driver cannot.
+  // What the eye sees of the opaque `props`, by `view`: their depths, and on which planes they have
+  // receivers, as a sum of powers of two for each. Textures of the same size. false if the driver
+  // cannot.
   bool DrawReceivers(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
-    const vtkshadows::LightView& view, const std::vector<std::size_t>& props);
+    vtkShadowTextureArray& planes, const vtkshadows::LightView& view,
+    const std::vector<std::size_t>& props, const std::vector<float>& planesOfProps);
 
   // Keep to the lower left width x height pixels; to those whose receiver lies between two planes,
   // told by its depth as vtkshadows::DepthOnPlane gives it; to those that `props` cover, hidden or
   // not; to all, but for a rim of one pixel; or to none.
   void KeepTo(int width, int height);
+  // `bit`: the plane's, among those that DrawReceivers was told; `slack` pixels: by so much its
+  // receivers' outline may be drawn elsewhere.
   void MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
-    const glm::dvec3& depthBeneath, const glm::dvec3& depthAbove);
+    vtkShadowTextureArray& planes, float bit, const glm::dvec3& depthBeneath,
+    const glm::dvec3& depthAbove, double slack);
   void MarkReceivers(const vtkShadowFrame& frame, const vtkshadows::LightView& view,
     const std::vector<std::size_t>& props);
   void MarkAll(const vtkShadowFrame& frame);

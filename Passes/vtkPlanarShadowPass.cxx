@@ -14,6 +14,7 @@
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -22,6 +23,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
 #include <glm/geometric.hpp>
@@ -34,6 +36,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
+#include <set>
 
 vtkStandardNewMacro(vtkPlanarShadowPass);
 
@@ -54,6 +58,9 @@ constexpr double LowestLight = 1.0 / (1 << 24);
 
 // How near to a vertex a lamp stands on it, in roundings of the floats that are drawn.
 constexpr double OnVertex = 16.0;
+
+// Planes that the float of a pixel can tell apart.
+constexpr std::size_t MostBits = 24;
 
 // Texels left free on each side of a plane's texture.
 constexpr double MarginTexels = 2.0;
@@ -162,6 +169,24 @@ glm::dvec3 OffVertices(const vtkShadowScene& scene, const glm::dvec3& lampWC, do
   return length > 0.0 ? lampWC + (side * 2.0 * nearest / length) * outward : lampWC;
 }
 
+// VTK draws polygons with visible edges larger by half an edge's width, without moving their depth.
+double WidestEdge(const vtkShadowScene& scene, const std::vector<std::size_t>& props)
+{
+  double widest = 0.0;
+  for (const std::size_t i : props)
+  {
+    for (const vtkShadowScene::Piece& piece : scene.GetProps()[i].Pieces)
+    {
+      auto* actor = vtkActor::SafeDownCast(piece.Prop);
+      if (actor && actor->GetProperty()->GetEdgeVisibility())
+      {
+        widest = std::max<double>(widest, actor->GetProperty()->GetLineWidth());
+      }
+    }
+  }
+  return widest;
+}
+
 // What a texture was drawn from: equal states give equal textures.
 struct TextureState
 {
@@ -203,7 +228,7 @@ public:
   vtkShadowPlanes Planes;
   vtkShadowHiddenFaces HiddenFaces;
   vtkPlanarShadowCanvas Canvas, TextureCanvas;
-  vtkShadowTextureArray Masks, Depths, Textures;
+  vtkShadowTextureArray Masks, Depths, PlanesOfPixels, Textures;
   std::vector<Shadow> Shadows;      // of this frame, by slot and plane
   std::vector<TextureState> States; // by slot, and within it by plane
   std::vector<vtkLight*> Lights;    // by slot, of the last frame
@@ -237,6 +262,11 @@ public:
   bool IsSum(const ShadowLight& light) const
   {
     return light.radius > 0.0 && this->Self->SoftMethod != PLATEAUS;
+  }
+  // A power of two for a plane, exact with others in the sum of a float.
+  static float BitOf(std::size_t plane)
+  {
+    return std::ldexp(1.0f, static_cast<int>(plane % MostBits));
   }
   std::size_t LayerOf(int slot, std::size_t plane) const
   {
@@ -528,7 +558,8 @@ void vtkPlanarShadowPass::Internals::MarkPlane(
     vtkshadows::DepthOnPlane(
       planeWC + rounding, this->ClipFromWorld, frame.Size[0], frame.Size[1], above))
   {
-    this->Canvas.MarkPlane(frame, this->Depths, beneath, above);
+    this->Canvas.MarkPlane(frame, this->Depths, this->PlanesOfPixels, this->BitOf(plane), beneath,
+      above, WidestEdge(*frame.Scene, this->Planes.ShadowedProps()));
   }
   else
   {
@@ -556,8 +587,24 @@ bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bo
   if (!isOnlyOne)
   {
     this->Depths.Reserve(frame.Window, Format::Depth24Stencil8, width, height, 1);
-    if (!this->Depths.Id() ||
-      !this->Canvas.DrawReceivers(frame, this->Depths, this->Eye, this->Planes.ShadowedProps()))
+    this->PlanesOfPixels.Reserve(frame.Window, Format::R32F, width, height, 1);
+    const std::vector<std::size_t>& props = this->Planes.ShadowedProps();
+    std::vector<float> planesOfProps;
+    for (const std::size_t i : props)
+    {
+      const std::vector<std::size_t>* planes =
+        this->Planes.ShadowedPlanesOf(frame.Scene->GetProps()[i].Source);
+      // Planes that share a bit are one to this test.
+      std::set<float> bits;
+      for (const std::size_t plane : *planes)
+      {
+        bits.insert(this->BitOf(plane));
+      }
+      planesOfProps.push_back(std::accumulate(bits.begin(), bits.end(), 0.0f));
+    }
+    if (!this->Depths.Id() || !this->PlanesOfPixels.Id() ||
+      !this->Canvas.DrawReceivers(
+        frame, this->Depths, this->PlanesOfPixels, this->Eye, props, planesOfProps))
     {
       return false;
     }
@@ -639,6 +686,7 @@ bool vtkPlanarShadowPass::Internals::UpdateTextures(
 {
   this->Masks.Release();
   this->Depths.Release();
+  this->PlanesOfPixels.Release();
   this->Canvas.Release();
   const std::size_t planes = std::max<std::size_t>(this->Planes.Get().size(), 1);
   const std::size_t layers = static_cast<std::size_t>(std::max(this->NumberOfSlots, 1)) * planes;
@@ -910,6 +958,7 @@ void vtkPlanarShadowPass::ReleaseGraphicsResources(vtkWindow* w)
   my.TextureCanvas.Release();
   my.Masks.Release();
   my.Depths.Release();
+  my.PlanesOfPixels.Release();
   my.Textures.Release();
   my.States.clear();
   this->Superclass::ReleaseGraphicsResources(w);

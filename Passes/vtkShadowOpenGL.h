@@ -4,8 +4,10 @@
 
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
+#define VTKSHADOWS_GL_HAS(extension) GLAD_GL_##extension
 #else
 #include "vtk_glew.h"
+#define VTKSHADOWS_GL_HAS(extension) GLEW_##extension
 #endif
 
 #endif

@@ -104,7 +104,7 @@ const void* OffsetOf(std::size_t first, std::size_t size)
 void EndDepthBounds()
 {
 #ifdef GL_EXT_depth_bounds_test
-  if (vtkShadowVolumeCounter::HasDepthBounds())
+  if (VTKSHADOWS_GL_HAS(EXT_depth_bounds_test))
   {
     glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
   }
@@ -195,6 +195,10 @@ bool vtkShadowVolumeCounter::Reserve(const vtkShadowFrame& frame, bool sums)
   if (sums)
   {
     this->Sums.Reserve(frame.Window, Format::R32F, width, height, 1);
+  }
+  if (this->DepthBounds < 0)
+  {
+    this->DepthBounds = TryDepthBounds(frame) ? 1 : 0;
   }
   return this->Depth.Id() != 0 && (!sums || this->Sums.Id() != 0);
 }
@@ -527,11 +531,44 @@ void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool b
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumeCounter::HasDepthBounds()
+// One pixel that lies out of bounds: no stencil may change there. Mesa 26.1's llvmpipe takes it for
+// a pixel that fails the depth test, which volumes count.
+bool vtkShadowVolumeCounter::TryDepthBounds(const vtkShadowFrame& frame)
 {
 #ifdef GL_EXT_depth_bounds_test
-  return GLEW_EXT_depth_bounds_test && glDepthBoundsEXT;
+  if (!VTKSHADOWS_GL_HAS(EXT_depth_bounds_test) || !glDepthBoundsEXT)
+  {
+    return false;
+  }
+  vtkShadowTextureArray pixel;
+  pixel.Reserve(frame.Window, vtkShadowTextureArray::Format::Depth24Stencil8, 1, 1, 1);
+  vtkShadowDrawScope target(frame.Window, pixel, 0);
+  if (!target.IsComplete())
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  state->vtkglStencilMask(0xff);
+  glClearBufferfi(GL_DEPTH_STENCIL, 0, 0.25f, 0);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglEnable(GL_STENCIL_TEST);
+  state->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
+  state->vtkglStencilOp(GL_INCR, GL_INCR, GL_INCR);
+  frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowFullScreenVS, vtkStencilShadowVolumePassFS, "");
+  glEnable(GL_DEPTH_BOUNDS_TEST_EXT);
+  glDepthBoundsEXT(0.75, 1.0);
+  {
+    const ScopedArrays arrays;
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  unsigned char count = 255;
+  glReadPixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &count);
+  return count == 0;
 #else
+  (void)frame;
   return false;
 #endif
 }
@@ -543,7 +580,7 @@ bool vtkShadowVolumeCounter::HasDepthBounds()
 void vtkShadowVolumeCounter::ConfineDepths(const Draw& draw) const
 {
 #ifdef GL_EXT_depth_bounds_test
-  if (this->CurrentEye.UsesDepthClamp && HasDepthBounds())
+  if (this->CurrentEye.UsesDepthClamp && this->HasDepthBounds())
   {
     const double low = 0.5 * draw.Bounds.minimum.z + 0.5, high = 0.5 * draw.Bounds.maximum.z + 0.5;
     glEnable(GL_DEPTH_BOUNDS_TEST_EXT);
@@ -847,6 +884,7 @@ void vtkShadowVolumeCounter::ReadCounts(const vtkShadowFrame& frame, std::vector
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCounter::Release()
 {
+  this->DepthBounds = -1;
   this->Depth.Release();
   this->Counts.Release();
   this->Sums.Release();

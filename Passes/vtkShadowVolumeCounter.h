@@ -102,8 +102,9 @@ public:
   std::size_t NumberOfTriangles = 0;
   std::size_t NumberOfOverflows = 0;
 
-  // Whether this driver can pass over pixels by the depth that is stored there.
-  static bool HasDepthBounds();
+  // Whether this driver can pass over pixels by the depth that is stored there, and does so
+  // rightly: found out once, by Reserve.
+  bool HasDepthBounds() const { return this->DepthBounds == 1; }
 
   void Release();
 
@@ -128,6 +129,7 @@ private:
   void End();
   void Add(const Draw& draw, Phase phase);
   void ConfineDepths(const Draw& draw) const;
+  static bool TryDepthBounds(const vtkShadowFrame& frame);
   bool HasOverflown();
   void StartVolumes(const vtkShadowFrame& frame, const char* fragmentShader);
   void EndVolumes();
@@ -142,6 +144,7 @@ private:
     float share, bool parity);
   void ResolveStencil(const vtkShadowFrame& frame, float share, bool parity);
 
+  int DepthBounds = -1; // 1 and 0: they work, and not; -1: not tried yet
   Way CurrentWay = Way::Stencil;
   vtkShadowTextureArray Depth, Counts, Sums;
   std::unique_ptr<vtkShadowDrawScope> Scope;

@@ -116,6 +116,25 @@ bool Declares(const std::string& source, const std::string& uniform)
   return source.find("uniform vec3 " + uniform + ";") != std::string::npos;
 }
 
+// A depth is held against where a surface is: in a picture VTK sets polygons off from coincident
+// lines, and draws those with visible edges larger by half an edge. Receivers cover what they cover
+// there.
+void PlaceSurface(std::string& geometryShader, std::string& fragmentShader, bool casts)
+{
+  vtkShaderProgram::Substitute(fragmentShader, "+ cFactor*cscale + 1.0*cOffset", "+ 0.0");
+  if (!casts)
+  {
+    return;
+  }
+  vtkShaderProgram::Substitute(
+    geometryShader, "gl_Position.xy = gl_Position.xy + offsets[i]*gl_Position.w;", "");
+  for (const std::string n : { "0", "1", "2" })
+  {
+    vtkShaderProgram::Substitute(
+      fragmentShader, "if (edist[" + n + "] < -0.5 && edgeEqn[" + n + "].z > 0.0) discard;", "");
+  }
+}
+
 // The end of main in a shader of the user's own, which has no tag there.
 void AppendToMain(std::string& source, const std::string& code)
 {
@@ -618,6 +637,7 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
 {
   if (this->DrawsDepthAlone())
   {
+    PlaceSurface(geometryShader, fragmentShader, this->CurrentStage == CASTERS);
     return true;
   }
   // VTK declares a position and colours of lights only where a primitive is lit.

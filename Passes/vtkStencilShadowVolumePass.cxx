@@ -235,7 +235,6 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->NumberOfCulledCasters = 0;
   my.Counter.NumberOfTriangles = 0;
   my.Counter.NumberOfOverflows = 0;
-  this->HasDepthBounds = vtkShadowVolumeCounter::HasDepthBounds();
 
   const auto& sceneLights = frame.Scene->GetLights();
   const bool anySoft = std::any_of(
@@ -259,6 +258,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   {
     done = this->UpdateMask(frame, sceneLights[lights[slot]].Ray, slot);
   }
+  this->HasDepthBounds = my.Counter.HasDepthBounds();
   this->NumberOfFaces = static_cast<vtkIdType>(my.Counter.NumberOfTriangles);
   this->NumberOfOverflows = static_cast<vtkIdType>(my.Counter.NumberOfOverflows);
   this->WarnOnce(this,

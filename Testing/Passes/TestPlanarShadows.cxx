@@ -12,6 +12,7 @@
 #include <vtkDiskSource.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPlaneSource.h>
@@ -738,4 +739,45 @@ TEST_F(PlanarShadows, PlateausSoftenOutwards)
   this->Shadows->SetLightRadius(lamp, 0.5);
   this->Render();
   Check("builds", static_cast<double>(this->Planar()->GetNumberOfTextureBuilds() - builds), 1.0);
+}
+
+// What VTK does to set lines off from polygons in a picture moves no shadow. On one plane it
+// changes nothing. Where several receivers hide each other, it decides for itself which is in front
+// where they touch: these bounds are what was measured, not an aim.
+TEST_F(PlanarShadows, EdgesAndPolygonOffsets)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  Subject subject = this->AddCasters();
+  AimCamera(this->Renderer, subject, -20.0, 35.0, 400, 300);
+  auto spot = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 40.0);
+  for (const bool isTwo : { false, true })
+  {
+    if (isTwo)
+    {
+      AddBox(this->Renderer, { -0.4, -2.6, 0.0 }, { 0.6, -1.8, 0.2 });
+    }
+    const std::string planes = isTwo ? ", several planes" : ", one plane";
+    this->CheckHard("plain" + planes, spot);
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    this->EachProp(
+      [](vtkProp* prop)
+      {
+        vtkActor::SafeDownCast(prop)
+          ->GetMapper()
+          ->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 20.0);
+      });
+    this->Render();
+    this->CheckMeasure(
+      "polygon offsets" + planes, spot, isTwo ? 0.15 : MostMismatchPercent, isTwo ? 0.1 : 0.0);
+    vtkMapper::SetResolveCoincidentTopologyToDefault();
+    const auto showEdges = [this](int shown)
+    {
+      this->EachProp([shown](vtkProp* prop)
+        { vtkActor::SafeDownCast(prop)->GetProperty()->SetEdgeVisibility(shown); });
+    };
+    showEdges(1);
+    this->Render();
+    this->CheckMeasure("visible edges" + planes, spot, isTwo ? 0.35 : 0.2, isTwo ? 0.15 : 0.0);
+    showEdges(0);
+  }
 }

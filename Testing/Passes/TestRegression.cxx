@@ -4,6 +4,8 @@
 #include "ShadowTest.h"
 #include "TestScenes.h"
 
+#include "vtkPlanarShadowPass.h"
+
 #include <vtkActorCollection.h>
 #include <vtkImageData.h>
 #include <vtkImageDifference.h>
@@ -112,6 +114,20 @@ TEST_F(Regression, StillLifeByStencilVolume)
   this->AddFillLight();
   this->Shadows->SetTechnique("stencil-volume");
   this->CheckPicture("StillLifeByStencilVolume");
+}
+
+TEST_F(Regression, StillLifeByPlanar)
+{
+  auto spot = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->AddFillLight();
+  this->Shadows->SetTechnique("planar");
+  this->CheckPicture("StillLifeByPlanar");
+  this->Shadows->SetLightRadius(spot, 0.4);
+  this->CheckPicture("StillLifeByPlanarSamples");
+  this->Shadows->GetPlanarShadowPass()->SetSoftMethod(vtkPlanarShadowPass::OFFSET_PLANES);
+  this->CheckPicture("StillLifeByPlanarOffsets");
+  this->Shadows->GetPlanarShadowPass()->SetSoftMethod(vtkPlanarShadowPass::PLATEAUS);
+  this->CheckPicture("StillLifeByPlanarPlateaus");
 }
 
 // The views that explain it. The eye stands in the shadow of a box that it does not see: one volume

@@ -18,8 +18,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     STENCIL_EXAMPLE,
     PAGE_EXAMPLE,
     AREA_EXAMPLE,
-) = sys.argv[1:7]
-FOLDER = pathlib.Path(sys.argv[7])
+    PLANAR_EXAMPLE,
+) = sys.argv[1:8]
+FOLDER = pathlib.Path(sys.argv[8])
 
 
 def read_png(path):
@@ -105,6 +106,24 @@ class TestExamples(unittest.TestCase):
         shares = [100 * float(part.mean()) for part in (alpha == 0, alpha % 255 > 0, alpha == 255)]
         print(f"transparent, shadow, figure: got {shares} %, expected 50, 3 and 10 or more")
         self.assertTrue(shares[0] >= 50 and shares[1] >= 3 and shares[2] >= 10)
+
+    def test_planar_shadows(self):
+        files = [FOLDER / "planar_shadows.png", FOLDER / "planar_shadows_texture.png"]
+        for file in files:
+            file.unlink(missing_ok=True)
+        done = run(sys.executable, PLANAR_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        hard = float(re.search(r"hard: ([\d.]+) %", done.stdout)[1])
+        soft = [float(mean) for mean in re.findall(r": ([\d.]+) from the truth", done.stdout)]
+        print(f"errors: got {hard} % and {soft}, expected at most 0.05 % and three, the last at most 0.01")
+        self.assertLessEqual(hard, 0.05)
+        self.assertEqual(len(soft), 3)
+        self.assertLessEqual(soft[-1], 0.01)
+        picture, texture = map(read_png, files)
+        self.assertEqual(picture.shape[:2], (480, 640))
+        shares = [100 * float(part.mean()) for part in (texture == 0, texture % 255 > 0, texture == 255)]
+        print(f"texture dark, between, lit: got {shares} %, expected 10 and more of each")
+        self.assertTrue(min(shares) >= 10)
 
 
 if __name__ == "__main__":
