@@ -557,16 +557,21 @@ bool vtkShadowVolumeCounter::TryDepthBounds(const vtkShadowFrame& frame)
   frame.Window->GetShaderCache()->ReadyShaderProgram(
     vtkShadowFullScreenVS, vtkStencilShadowVolumePassFS, "");
   glEnable(GL_DEPTH_BOUNDS_TEST_EXT);
-  glDepthBoundsEXT(0.75, 1.0);
   {
     const ScopedArrays arrays;
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    const double bounds[][2] = { { 0.75, 1.0 }, { 0.0, 0.5 }, { 0.0, 0.2 }, { 0.2, 1.0 },
+      { 0.3, 0.6 } };
+    for (const auto& range : bounds)
+    {
+      glDepthBoundsEXT(range[0], range[1]);
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
   }
   glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   unsigned char count = 255;
   glReadPixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &count);
-  return count == 0;
+  return count == 2;
 #else
   (void)frame;
   return false;
