@@ -102,8 +102,7 @@ public:
   std::size_t NumberOfTriangles = 0;
   std::size_t NumberOfOverflows = 0;
 
-  // Whether this driver can pass over pixels by the depth that is stored there, and does so
-  // rightly: found out once, by Reserve.
+  // Whether this driver passes over pixels by the depth that is stored there: found out by Reserve.
   bool HasDepthBounds() const { return this->DepthBounds == 1; }
 
   void Release();
@@ -129,7 +128,7 @@ private:
   void End();
   void Add(const Draw& draw, Phase phase);
   void ConfineDepths(const Draw& draw) const;
-  static bool TryDepthBounds(const vtkShadowFrame& frame);
+  static bool MayUseDepthBounds();
   bool HasOverflown();
   void StartVolumes(const vtkShadowFrame& frame, const char* fragmentShader);
   void EndVolumes();
@@ -144,7 +143,7 @@ private:
     float share, bool parity);
   void ResolveStencil(const vtkShadowFrame& frame, float share, bool parity);
 
-  int DepthBounds = -1; // 1 and 0: they work, and not; -1: not tried yet
+  int DepthBounds = -1; // 1 and 0: used, and not; -1: not asked yet
   Way CurrentWay = Way::Stencil;
   vtkShadowTextureArray Depth, Counts, Sums;
   std::unique_ptr<vtkShadowDrawScope> Scope;
