@@ -781,3 +781,25 @@ TEST_F(PlanarShadows, EdgesAndPolygonOffsets)
     showEdges(0);
   }
 }
+
+// Far from the origin a small body is not flat.
+TEST_F(PlanarShadows, SmallBodiesFarAway)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const glm::dvec3 far(1.0e6, -2.0e6, 1.0e6);
+  AddFloor(this->Renderer, 2.0);
+  for (int i = 0; i < 5; ++i)
+  {
+    auto ball = AddSphere(this->Renderer, { 0.3 * i - 0.6, 0.1 * i, 0.12 + 0.1 * i }, 0.08);
+    vtkShadowPass::SetReceivesShadows(ball, false);
+  }
+  vtkNew<vtkTransform> away;
+  away->Translate(far.x, far.y, far.z);
+  PlaceActors(this->Renderer, away, false);
+  auto sun = AddSun(this->Renderer, { -0.5, 0.4, -1.0 });
+  LookAt(this->Renderer, far + glm::dvec3(1.0, -3.0, 2.0), far);
+  this->CheckHard("small balls, planar", sun);
+  EXPECT_GT(this->VisibilityOf(sun).CountShadowed(), 500u);
+  this->Shadows->SetTechnique("stencil-volume");
+  this->CheckHard("small balls, stencil-volume", sun);
+}
