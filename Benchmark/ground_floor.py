@@ -62,6 +62,15 @@ def mesh_actor(source, color):
     return actor_of(mapper, color)
 
 
+def torus_source(u, v):
+    torus = vtkParametricFunctionSource()
+    torus.SetParametricFunction(vtkParametricTorus())
+    torus.SetUResolution(u)
+    torus.SetVResolution(v)
+    torus.SetWResolution(2)
+    return torus
+
+
 def floor_actor(half_width, height, center=(0, 0)):
     x, y = center
     plane = vtkPlaneSource()
@@ -107,12 +116,7 @@ def still_life():
     sphere.SetCenter(-0.6, 0.2, 1)
     sphere.SetThetaResolution(96)
     sphere.SetPhiResolution(96)
-    torus = vtkParametricFunctionSource()
-    torus.SetParametricFunction(vtkParametricTorus())
-    torus.SetUResolution(96)
-    torus.SetVResolution(48)
-    torus.SetWResolution(2)
-    ring = mesh_actor(torus, (0.35, 0.55, 0.85))
+    ring = mesh_actor(torus_source(96, 48), (0.35, 0.55, 0.85))
     ring.SetScale(0.6)
     ring.RotateX(65)
     ring.SetPosition(1.5, -0.6, 0.86)

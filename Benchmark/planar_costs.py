@@ -17,9 +17,9 @@ from ground_floor import (
     spot_light,
     switched_on,
     timed,
+    torus_source,
 )
-from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
-from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 WARM_UP = 5  # rounds
@@ -37,12 +37,7 @@ def two_bodies(light, side=224):
     sphere.SetCenter(-0.8, 0.2, 1)
     sphere.SetThetaResolution(side)
     sphere.SetPhiResolution(side)
-    torus = vtkParametricFunctionSource()
-    torus.SetParametricFunction(vtkParametricTorus())
-    torus.SetUResolution(side)
-    torus.SetVResolution(side)
-    torus.SetWResolution(2)
-    ring = mesh_actor(torus, (0.35, 0.55, 0.85))
+    ring = mesh_actor(torus_source(side, side), (0.35, 0.55, 0.85))
     ring.SetScale(0.8)
     ring.RotateX(65)
     ring.SetPosition(1.5, -0.6, 1.2)

@@ -3,12 +3,12 @@
 #include "vtkPlanarShadowPassMarkFS.h"
 #include "vtkPlanarShadowPassPlateauFS.h"
 #include "vtkPlanarShadowPassPlateauVS.h"
-#include "vtkPlanarShadowPassSumFS.h"
 #include "vtkShadowDrawScope.h"
-#include "vtkShadowFullScreenVS.h"
+#include "vtkShadowFullScreen.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowSumFS.h"
 #include "vtkShadowedShadingPass.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -30,27 +30,11 @@ constexpr int OffPlane = 255;
 // depth buffer.
 constexpr double DepthSteps = 64.0;
 
-void DrawFullScreen()
-{
-  GLuint arrays = 0;
-  glGenVertexArrays(1, &arrays);
-  glBindVertexArray(arrays);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-  glDeleteVertexArrays(1, &arrays);
-}
-
 void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec3& v)
 {
   const float values[3] = { static_cast<float>(v.x), static_cast<float>(v.y),
     static_cast<float>(v.z) };
   program->SetUniform3f(name, values);
-}
-
-vtkShaderProgram* Ready(const vtkShadowFrame& frame, const char* fragmentShader)
-{
-  return frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowFullScreenVS, fragmentShader, "");
 }
 
 }
@@ -153,7 +137,7 @@ void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowText
   state->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
   state->vtkglStencilOp(GL_REPLACE, GL_REPLACE, GL_REPLACE);
 
-  vtkShaderProgram* program = Ready(frame, vtkPlanarShadowPassMarkFS);
+  vtkShaderProgram* program = vtkShadowFullScreen::Ready(frame.Window, vtkPlanarShadowPassMarkFS);
   // Each term is rounded, too.
   double terms = 0.0, slope = 0.0;
   for (const glm::dvec3& plane : { depthBeneath, depthAbove })
@@ -171,7 +155,7 @@ void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowText
   program->SetUniformi("shadowDepths", depths.Unit());
   program->SetUniformi("shadowPlanesOfPixel", planes.Unit());
   program->SetUniformf("shadowPlaneBit", bit);
-  DrawFullScreen();
+  vtkShadowFullScreen::Draw();
   planes.Deactivate();
   depths.Deactivate();
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -276,10 +260,10 @@ void vtkPlanarShadowCanvas::End(const vtkShadowFrame& frame)
   }
   vtkShadowDrawScope target(frame.Window, this->Marks, 0, this->Masks, this->Layer);
   frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  vtkShaderProgram* program = Ready(frame, vtkPlanarShadowPassSumFS);
+  vtkShaderProgram* program = vtkShadowFullScreen::Ready(frame.Window, vtkShadowSumFS);
   this->Sums.Activate();
   program->SetUniformi("shadowSums", this->Sums.Unit());
-  DrawFullScreen();
+  vtkShadowFullScreen::Draw();
   this->Sums.Deactivate();
 }
 

@@ -6,6 +6,7 @@
 #include "ShadowVolume.h"
 #include "vtkPlanarShadowCanvas.h"
 #include "vtkPlanarShadowPassLookup.h"
+#include "vtkShadowByPiece.h"
 #include "vtkShadowCasterMesh.h"
 #include "vtkShadowEye.h"
 #include "vtkShadowHiddenFaces.h"
@@ -35,7 +36,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -132,9 +132,7 @@ glm::dvec3 OffVertices(const vtkShadowScene& scene, const glm::dvec3& lampWC, do
     {
       vtkshadows::Box box;
       box.Add(piece.CornersWC);
-      box.AddPoint(box.minimum - nearest);
-      box.AddPoint(box.maximum + nearest);
-      if (!prop.Casts || !box.Holds(lampWC))
+      if (!prop.Casts || !box.Grown(nearest).Holds(lampWC))
       {
         continue;
       }
@@ -238,13 +236,8 @@ public:
     glm::dvec3 AskedWC{ 0.0 }, MovedWC{ 0.0 };
     vtkMTimeType CasterStamp = 0;
   };
-  std::vector<Place> Places; // the same
-  struct KnownMesh
-  {
-    std::vector<std::uint64_t> Shape;
-    vtkShadowCasterMesh Caster;
-  };
-  std::map<std::pair<vtkProp3D*, vtkMapper*>, KnownMesh> Meshes; // of casters with plateaus
+  std::vector<Place> Places;                    // the same
+  vtkShadowByPiece<vtkShadowCasterMesh> Meshes; // of casters with plateaus
   int NumberOfSlots = 0;
 
   // From the eye's view coordinates to the texture of a slot on a plane: x and y of its sides, z
@@ -280,6 +273,9 @@ public:
   void MarkPlane(const vtkShadowFrame& frame, std::size_t plane, bool isOnlyOne);
   bool UpdateTextures(const vtkShadowFrame& frame, int side, bool anySoft);
   void UpdateTexture(const vtkShadowFrame& frame, Shadow& shadow);
+  template <typename Mark>
+  void Draw(const vtkShadowFrame& frame, vtkPlanarShadowCanvas& canvas, const Shadow& shadow,
+    const glm::dmat4& clipFromWorld, bool isMirrored, const Mark& mark);
   void DrawPlateaus(const vtkShadowFrame& frame, vtkPlanarShadowCanvas& canvas,
     const Shadow& shadow, const glm::dmat4& clipFromWorld);
 };
@@ -383,6 +379,7 @@ bool vtkPlanarShadowPass::UpdateVisibility(
     [](const vtkShadowPlanes::Plane& plane) { return !plane.Props.empty(); });
   my.SetEye(frame);
   my.HiddenFaces.BeginFrame(scene.GetProps());
+  my.Meshes.BeginFrame(scene.GetProps());
   const std::size_t leftOut = my.FindShadows(frame, lights);
   this->WarnOnce(&my.Planes,
     !anyReceiver
@@ -568,6 +565,30 @@ void vtkPlanarShadowPass::Internals::MarkPlane(
 }
 
 //------------------------------------------------------------------------------
+// All that a shadow throws, over pixels that are marked; mark() when the marks are used up.
+template <typename Mark>
+void vtkPlanarShadowPass::Internals::Draw(const vtkShadowFrame& frame,
+  vtkPlanarShadowCanvas& canvas, const Shadow& shadow, const glm::dmat4& clipFromWorld,
+  bool isMirrored, const Mark& mark)
+{
+  const float share = 1.0f / static_cast<float>(shadow.Throws.size());
+  for (const PlanarThrow& thrown : shadow.Throws)
+  {
+    const auto culled =
+      this->HiddenFaces.CulledOf(frame.Scene->GetProps(), shadow.Casters, thrown.light, isMirrored);
+    const LightView view = vtkshadows::PlanarView(shadow.PlaneWC, thrown, clipFromWorld,
+      shadow.CentreWC, this->Planes.Tolerance(), shadow.Highest);
+    while (!canvas.Throw(frame, shadow.Casters, view, culled, share))
+    {
+      mark();
+    }
+    ++this->Self->NumberOfThrows;
+    this->Self->NumberOfDrawnCasters += static_cast<vtkIdType>(shadow.Casters.size());
+  }
+  this->DrawPlateaus(frame, canvas, shadow, clipFromWorld);
+}
+
+//------------------------------------------------------------------------------
 bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bool anySoft)
 {
   using Format = vtkShadowTextureArray::Format;
@@ -619,22 +640,12 @@ bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bo
     {
       Shadow& shadow = this->Shadows[next];
       this->ChooseThrows(shadow, this->ClipFromWorld, width, height);
-      const float share = 1.0f / static_cast<float>(shadow.Throws.size());
-      for (const PlanarThrow& thrown : shadow.Throws)
+      const auto mark = [&]() { this->MarkPlane(frame, shadow.Plane, isOnlyOne); };
+      if (this->Marked != static_cast<int>(shadow.Plane))
       {
-        const auto culled =
-          this->HiddenFaces.CulledOf(frame.Scene->GetProps(), shadow.Casters, thrown.light);
-        const LightView view = vtkshadows::PlanarView(shadow.PlaneWC, thrown, this->ClipFromWorld,
-          shadow.CentreWC, this->Planes.Tolerance(), shadow.Highest);
-        while (this->Marked != static_cast<int>(shadow.Plane) ||
-          !this->Canvas.Throw(frame, shadow.Casters, view, culled, share))
-        {
-          this->MarkPlane(frame, shadow.Plane, isOnlyOne);
-        }
-        ++this->Self->NumberOfThrows;
-        this->Self->NumberOfDrawnCasters += static_cast<vtkIdType>(shadow.Casters.size());
+        mark();
       }
-      this->DrawPlateaus(frame, this->Canvas, shadow, this->ClipFromWorld);
+      this->Draw(frame, this->Canvas, shadow, this->ClipFromWorld, false, mark);
     }
     this->Canvas.End(frame);
   }
@@ -655,14 +666,10 @@ void vtkPlanarShadowPass::Internals::DrawPlateaus(const vtkShadowFrame& frame,
   std::vector<vtkshadows::SilhouetteEdge> silhouette;
   for (const vtkShadowScene::Piece* piece : shadow.Pieces)
   {
-    KnownMesh& known = this->Meshes[{ piece->Prop, piece->Mapper }];
-    if (known.Shape != piece->Shape)
-    {
-      known.Shape = piece->Shape;
-      known.Caster = vtkShadowCasterMesh::Build(*piece);
-    }
-    const glm::dmat4 worldFromCaster = piece->WorldFromModel * known.Caster.ModelFromCaster;
-    const vtkshadows::ShadowMesh<float>& mesh = known.Caster.Mesh;
+    const vtkShadowCasterMesh& caster =
+      this->Meshes.Of(*piece, [piece]() { return vtkShadowCasterMesh::Build(*piece); });
+    const glm::dmat4 worldFromCaster = piece->WorldFromModel * caster.ModelFromCaster;
+    const vtkshadows::ShadowMesh<float>& mesh = caster.Mesh;
     vtkshadows::FaceTriangles(
       mesh, glm::inverse(worldFromCaster) * lightWC, vtkshadows::CastingFaces::Closed, signs);
     vtkshadows::FindSilhouette(mesh, signs, silhouette);
@@ -755,27 +762,13 @@ void vtkPlanarShadowPass::Internals::UpdateTexture(const vtkShadowFrame& frame, 
   wanted.CasterStamp = frame.Scene->GetCasterStamp();
   if (!(this->States[layer] == wanted))
   {
-    const float share = 1.0f / static_cast<float>(shadow.Throws.size());
     this->TextureCanvas.KeepTo(wanted.Texels[0], wanted.Texels[1]);
     this->TextureCanvas.Begin(
       frame, this->Textures, static_cast<int>(layer), this->IsSum(*shadow.Light));
     this->TextureCanvas.MarkAll(frame);
     // It is looked at from where its normal points, whichever side the light is on.
-    const bool isMirrored = shadow.PlaneWC != plane.PlaneWC;
-    for (const PlanarThrow& thrown : shadow.Throws)
-    {
-      const auto culled = this->HiddenFaces.CulledOf(
-        frame.Scene->GetProps(), shadow.Casters, thrown.light, isMirrored);
-      const LightView view = vtkshadows::PlanarView(shadow.PlaneWC, thrown, clipFromWorld,
-        shadow.CentreWC, this->Planes.Tolerance(), shadow.Highest);
-      while (!this->TextureCanvas.Throw(frame, shadow.Casters, view, culled, share))
-      {
-        this->TextureCanvas.MarkAll(frame);
-      }
-      ++this->Self->NumberOfThrows;
-      this->Self->NumberOfDrawnCasters += static_cast<vtkIdType>(shadow.Casters.size());
-    }
-    this->DrawPlateaus(frame, this->TextureCanvas, shadow, clipFromWorld);
+    this->Draw(frame, this->TextureCanvas, shadow, clipFromWorld, shadow.PlaneWC != plane.PlaneWC,
+      [&]() { this->TextureCanvas.MarkAll(frame); });
     this->TextureCanvas.End(frame);
     this->States[layer] = wanted;
     ++this->Self->NumberOfTextureBuilds;

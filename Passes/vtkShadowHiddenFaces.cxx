@@ -9,7 +9,6 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <set>
 
 namespace
 {
@@ -44,18 +43,7 @@ bool HoldsLight(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC)
 void vtkShadowHiddenFaces::BeginFrame(const std::vector<vtkShadowScene::Prop>& props)
 {
   ++this->Frame;
-  std::set<std::pair<vtkProp3D*, vtkMapper*>> present;
-  for (const vtkShadowScene::Prop& prop : props)
-  {
-    for (const vtkShadowScene::Piece& piece : prop.Pieces)
-    {
-      present.insert({ piece.Prop, piece.Mapper });
-    }
-  }
-  for (auto it = this->Known.begin(); it != this->Known.end();)
-  {
-    it = present.count(it->first) != 0 ? std::next(it) : this->Known.erase(it);
-  }
+  this->Known.BeginFrame(props);
 }
 
 //------------------------------------------------------------------------------
@@ -67,13 +55,13 @@ vtkShadowHiddenFaces::Side vtkShadowHiddenFaces::Of(
   {
     return Side::None;
   }
-  Surface& surface = this->Known[{ piece.Prop, piece.Mapper }];
-  if (surface.Shape != piece.Shape)
-  {
-    surface.Shape = piece.Shape;
-    surface.FirstFrame = this->Frame;
-    surface.Surveyed = false;
-  }
+  Surface& surface = this->Known.Of(piece,
+    [this]()
+    {
+      Surface fresh;
+      fresh.FirstFrame = this->Frame;
+      return fresh;
+    });
   if (surface.FirstFrame == this->Frame)
   {
     return Side::None;

@@ -7,13 +7,12 @@
 #ifndef vtkShadowHiddenFaces_h
 #define vtkShadowHiddenFaces_h
 
+#include "vtkShadowByPiece.h"
 #include "vtkShadowSceneData.h"
 
 #include <glm/vec4.hpp>
 
-#include <map>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 class vtkProp;
@@ -43,13 +42,12 @@ public:
 private:
   struct Surface
   {
-    std::vector<std::uint64_t> Shape;
     std::size_t FirstFrame = 0; // that asked about this shape
     bool Surveyed = false;
     Side Hidden = Side::None; // of a matrix that does not mirror
   };
   std::size_t Frame = 0;
-  std::map<std::pair<vtkProp3D*, vtkMapper*>, Surface> Known;
+  vtkShadowByPiece<Surface> Known;
 };
 
 #endif

@@ -39,28 +39,21 @@ double SizeOf(const BoxCorners& corners)
 }
 
 //------------------------------------------------------------------------------
-const std::vector<vtkShadowPlanes::FlatPart>& vtkShadowPlanes::PartsOf(
+std::vector<vtkShadowPlanes::FlatPart> vtkShadowPlanes::FindParts(
   const vtkShadowScene::Piece& piece)
 {
-  Parts& parts = this->Known[{ piece.Prop, piece.Mapper }];
-  parts.Used = true;
-  if (parts.Shape == piece.Shape)
-  {
-    return parts.Flat;
-  }
-  parts.Shape = piece.Shape;
-  parts.Flat.clear();
+  std::vector<FlatPart> flat;
   vtkDataObject* input = piece.Mapper->GetInputDataObject(0, 0);
   if (!input || input->GetNumberOfElements(vtkDataObject::CELL) > MostTriangles)
   {
-    return parts.Flat;
+    return flat;
   }
 
   const vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
   const vtkshadows::ShadowMesh<float>& mesh = caster.Mesh;
   if (mesh.NumberOfTriangles() > static_cast<std::size_t>(MostTriangles))
   {
-    return parts.Flat;
+    return flat;
   }
   // About its centre, where its coordinates are small.
   const glm::dvec3 centre(
@@ -93,7 +86,7 @@ const std::vector<vtkShadowPlanes::FlatPart>& vtkShadowPlanes::PartsOf(
       }
       whole += area;
       FlatPart* found = nullptr;
-      for (FlatPart& part : parts.Flat)
+      for (FlatPart& part : flat)
       {
         const glm::dvec3 normal(part.PlaneMC);
         const auto isOn = [&](const glm::dvec3& p)
@@ -104,28 +97,27 @@ const std::vector<vtkShadowPlanes::FlatPart>& vtkShadowPlanes::PartsOf(
       if (!found)
       {
         const glm::dvec3 normal = across / area;
-        parts.Flat.push_back({ glm::dvec4(normal, glm::dot(normal, a)), 0.0, isClosed });
-        found = &parts.Flat.back();
+        flat.push_back({ glm::dvec4(normal, glm::dot(normal, a)), 0.0, isClosed });
+        found = &flat.back();
       }
       found->Share += area;
-      if (parts.Flat.size() > MostPlanes)
+      if (flat.size() > MostPlanes)
       {
         // A curved surface.
-        parts.Flat.clear();
-        return parts.Flat;
+        return {};
       }
     }
   }
-  for (FlatPart& part : parts.Flat)
+  for (FlatPart& part : flat)
   {
     part.Share /= whole;
     part.PlaneMC.w += glm::dot(glm::dvec3(part.PlaneMC), centre);
   }
-  const double least = parts.Flat.size() <= FewPlanes ? SmallestShare : LargeShare;
-  parts.Flat.erase(std::remove_if(parts.Flat.begin(), parts.Flat.end(),
-                     [least](const FlatPart& part) { return part.Share < least; }),
-    parts.Flat.end());
-  return parts.Flat;
+  const double least = flat.size() <= FewPlanes ? SmallestShare : LargeShare;
+  flat.erase(std::remove_if(flat.begin(), flat.end(),
+               [least](const FlatPart& part) { return part.Share < least; }),
+    flat.end());
+  return flat;
 }
 
 //------------------------------------------------------------------------------
@@ -195,10 +187,7 @@ void vtkShadowPlanes::Find(const vtkShadowScene& scene, const std::vector<glm::d
     this->Planes.push_back(plane);
   }
 
-  for (auto& known : this->Known)
-  {
-    known.second.Used = false;
-  }
+  this->Parts.BeginFrame(props);
   for (std::size_t i = 0; i < props.size(); ++i)
   {
     // Of translucent receivers a mask knows catchers alone.
@@ -222,7 +211,7 @@ void vtkShadowPlanes::Find(const vtkShadowScene& scene, const std::vector<glm::d
       }
       else
       {
-        for (const FlatPart& part : this->PartsOf(piece))
+        for (const FlatPart& part : this->Parts.Of(piece, [&piece]() { return FindParts(piece); }))
         {
           const glm::dvec4 row = glm::inverseTranspose(piece.WorldFromModel) *
             glm::dvec4(glm::dvec3(part.PlaneMC), -part.PlaneMC.w);
@@ -262,10 +251,6 @@ void vtkShadowPlanes::Find(const vtkShadowScene& scene, const std::vector<glm::d
         }
       }
     }
-  }
-  for (auto it = this->Known.begin(); it != this->Known.end();)
-  {
-    it = it->second.Used ? std::next(it) : this->Known.erase(it);
   }
 
   const auto ownBegin = this->Planes.begin() + static_cast<std::ptrdiff_t>(named.size());

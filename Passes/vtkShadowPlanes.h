@@ -4,13 +4,12 @@
 #define vtkShadowPlanes_h
 
 #include "ShadowReach.h"
+#include "vtkShadowByPiece.h"
 #include "vtkShadowSceneData.h"
 
 #include "vtkTimeStamp.h"
 
-#include <map>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 class vtkShadowPlanes
@@ -50,21 +49,14 @@ public:
   vtkMTimeType ShadowedStamp() const { return this->Stamp.GetMTime(); }
 
 private:
-  // Planes of a piece's larger flat parts, in model coordinates, kept until its shape changes.
+  // The plane of one of a piece's larger flat parts, in model coordinates.
   struct FlatPart
   {
     glm::dvec4 PlaneMC{ 0.0 };
     double Share = 0.0;   // of the piece's area
     bool Outward = false; // the piece is closed, and the normal points out of it
   };
-  struct Parts
-  {
-    std::vector<std::uint64_t> Shape;
-    std::vector<FlatPart> Flat;
-    bool Used = false;
-  };
-
-  const std::vector<FlatPart>& PartsOf(const vtkShadowScene::Piece& piece);
+  static std::vector<FlatPart> FindParts(const vtkShadowScene::Piece& piece);
   bool AreOne(const glm::dvec4& planeWC, const glm::dvec4& otherWC,
     const vtkshadows::BoxCorners& corners) const;
   Plane* FindPlane(const glm::dvec4& planeWC, bool oneSided, const vtkshadows::BoxCorners& corners);
@@ -72,7 +64,7 @@ private:
 
   std::vector<Plane> Planes;
   double Rounding = 0.0;
-  std::map<std::pair<vtkProp3D*, vtkMapper*>, Parts> Known;
+  vtkShadowByPiece<std::vector<FlatPart>> Parts;
   std::vector<std::size_t> Shadowed;
   std::unordered_map<const void*, std::vector<std::size_t>> PlanesOf; // by prop, and by its keys
   vtkTimeStamp Stamp;

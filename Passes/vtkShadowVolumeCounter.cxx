@@ -1,10 +1,11 @@
 #include "vtkShadowVolumeCounter.h"
 
 #include "vtkShadowDrawScope.h"
-#include "vtkShadowFullScreenVS.h"
+#include "vtkShadowFullScreen.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowSumFS.h"
 #include "vtkShadowedShadingPass.h"
 #include "vtkStencilShadowVolumePassCountsFS.h"
 #include "vtkStencilShadowVolumePassFS.h"
@@ -119,25 +120,6 @@ void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec4& v)
   program->SetUniform4f(name, values);
 }
 
-// Draws without vertex arrays: everything comes from gl_VertexID.
-class ScopedArrays
-{
-public:
-  ScopedArrays()
-  {
-    glGenVertexArrays(1, &this->Id);
-    glBindVertexArray(this->Id);
-  }
-  ~ScopedArrays()
-  {
-    glBindVertexArray(0);
-    glDeleteVertexArrays(1, &this->Id);
-  }
-
-private:
-  GLuint Id = 0;
-};
-
 // What is blended over a frame: tested against its depths, which stay.
 class OverlayState
 {
@@ -197,10 +179,7 @@ bool vtkShadowVolumeCounter::Reserve(const vtkShadowFrame& frame, bool sums)
   {
     this->Sums.Reserve(frame.Window, Format::R32F, width, height, 1);
   }
-  if (this->DepthBounds < 0)
-  {
-    this->DepthBounds = MayUseDepthBounds() ? 1 : 0;
-  }
+  this->DepthBounds = MayUseDepthBounds();
   return this->Depth.Id() != 0 && (!sums || this->Sums.Id() != 0);
 }
 
@@ -348,8 +327,7 @@ bool vtkShadowVolumeCounter::HasOverflown()
   this->State->vtkglDisable(GL_CULL_FACE);
   this->State->vtkglStencilFunc(GL_EQUAL, MostInStencil, 0xff);
   this->State->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  this->Frame->Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowFullScreenVS, vtkStencilShadowVolumePassFS, "");
+  vtkShadowFullScreen::Ready(this->Frame->Window, vtkStencilShadowVolumePassFS);
   glGenQueries(1, &query);
   glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -721,34 +699,30 @@ void vtkShadowVolumeCounter::ShowCounts(const vtkShadowFrame& frame)
   const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
   const float scale[2] = { static_cast<float>(frame.Size[0]) / static_cast<float>(viewport[2]),
     static_cast<float>(frame.Size[1]) / static_cast<float>(viewport[3]) };
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowFullScreenVS, vtkStencilShadowVolumePassCountsFS, "");
+  vtkShaderProgram* program =
+    vtkShadowFullScreen::Ready(frame.Window, vtkStencilShadowVolumePassCountsFS);
   this->Counts.Activate();
   this->Depth.Activate();
   program->SetUniformi("shadowCounts", this->Counts.Unit());
   program->SetUniformi("shadowDepths", this->Depth.Unit());
   program->SetUniform2f("shadowViewOrigin", origin);
   program->SetUniform2f("shadowViewScale", scale);
-  const ScopedArrays arrays;
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  vtkShadowFullScreen::Draw();
   this->Depth.Deactivate();
   this->Counts.Deactivate();
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumeCounter::DrawFullScreen(
-  const vtkShadowFrame& frame, vtkShadowTextureArray& source, bool isSum, float share, bool parity)
+void vtkShadowVolumeCounter::ResolveFloats(const vtkShadowFrame& frame, float share, bool parity)
 {
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowFullScreenVS, vtkStencilShadowVolumePassResolveFS, "");
-  source.Activate();
-  program->SetUniformi("shadowCounts", source.Unit());
+  vtkShaderProgram* program =
+    vtkShadowFullScreen::Ready(frame.Window, vtkStencilShadowVolumePassResolveFS);
+  this->Counts.Activate();
+  program->SetUniformi("shadowCounts", this->Counts.Unit());
   program->SetUniformi("shadowParity", parity ? 1 : 0);
-  program->SetUniformi("shadowIsSum", isSum ? 1 : 0);
   program->SetUniformf("shadowShare", share);
-  const ScopedArrays arrays;
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  source.Deactivate();
+  vtkShadowFullScreen::Draw();
+  this->Counts.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -756,19 +730,18 @@ void vtkShadowVolumeCounter::DrawFullScreen(
 void vtkShadowVolumeCounter::ResolveStencil(const vtkShadowFrame& frame, float share, bool parity)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowFullScreenVS, vtkStencilShadowVolumePassFS, "");
+  vtkShaderProgram* program =
+    vtkShadowFullScreen::Ready(frame.Window, vtkStencilShadowVolumePassFS);
   const float value[2] = { share, share };
   program->SetUniform2f("shadowWeights", value);
   state->vtkglEnable(GL_STENCIL_TEST);
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  const ScopedArrays arrays;
   state->vtkglStencilFunc(GL_EQUAL, 0, parity ? 0x01 : 0xff);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  vtkShadowFullScreen::Draw();
   if (!parity && this->CurrentWay == Way::WrappingStencil)
   {
     state->vtkglStencilFunc(GL_EQUAL, 0x80, 0x80);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    vtkShadowFullScreen::Draw();
   }
   state->vtkglDisable(GL_STENCIL_TEST);
 }
@@ -786,7 +759,7 @@ void vtkShadowVolumeCounter::Resolve(
     this->ResolveStencil(frame, 1.0f, parity);
     return;
   }
-  this->DrawFullScreen(frame, this->Counts, false, 1.0f, parity);
+  this->ResolveFloats(frame, 1.0f, parity);
 }
 
 //------------------------------------------------------------------------------
@@ -811,7 +784,7 @@ void vtkShadowVolumeCounter::AddToSum(const vtkShadowFrame& frame, float share, 
     this->ResolveStencil(frame, share, parity);
     return;
   }
-  this->DrawFullScreen(frame, this->Counts, false, share, parity);
+  this->ResolveFloats(frame, share, parity);
 }
 
 //------------------------------------------------------------------------------
@@ -825,13 +798,12 @@ bool vtkShadowVolumeCounter::SmoothSum(const vtkShadowFrame& frame, float step)
   }
   vtkShadowDrawScope target(frame.Window, this->Depth, 0, &this->Counts, 0);
   frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowFullScreenVS, vtkStencilShadowVolumePassSmoothFS, "");
+  vtkShaderProgram* program =
+    vtkShadowFullScreen::Ready(frame.Window, vtkStencilShadowVolumePassSmoothFS);
   this->Sums.Activate();
   program->SetUniformi("shadowSums", this->Sums.Unit());
   program->SetUniformf("shadowLargest", SmoothedSteps * step);
-  const ScopedArrays arrays;
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  vtkShadowFullScreen::Draw();
   this->Sums.Deactivate();
   return true;
 }
@@ -842,7 +814,12 @@ void vtkShadowVolumeCounter::ResolveSum(
 {
   vtkShadowDrawScope target(frame.Window, this->Depth, 0, &masks, layer);
   frame.Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  this->DrawFullScreen(frame, smoothed ? this->Counts : this->Sums, true, 1.0f, false);
+  vtkShadowTextureArray& sums = smoothed ? this->Counts : this->Sums;
+  vtkShaderProgram* program = vtkShadowFullScreen::Ready(frame.Window, vtkShadowSumFS);
+  sums.Activate();
+  program->SetUniformi("shadowSums", sums.Unit());
+  vtkShadowFullScreen::Draw();
+  sums.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -856,7 +833,6 @@ void vtkShadowVolumeCounter::ReadCounts(const vtkShadowFrame& frame, std::vector
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCounter::Release()
 {
-  this->DepthBounds = -1;
   this->Depth.Release();
   this->Counts.Release();
   this->Sums.Release();

@@ -103,7 +103,7 @@ public:
   std::size_t NumberOfOverflows = 0;
 
   // Whether this driver passes over pixels by the depth that is stored there: found out by Reserve.
-  bool HasDepthBounds() const { return this->DepthBounds == 1; }
+  bool HasDepthBounds() const { return this->DepthBounds; }
 
   void Release();
 
@@ -139,11 +139,10 @@ private:
   std::size_t DrawSoup(const vtkshadows::VolumeLists::List& list, int borders, bool turned);
   template <typename Use>
   void Show(const vtkShadowFrame& frame, const std::vector<Draw>& draws, const Use& use);
-  void DrawFullScreen(const vtkShadowFrame& frame, vtkShadowTextureArray& source, bool isSum,
-    float share, bool parity);
+  void ResolveFloats(const vtkShadowFrame& frame, float share, bool parity);
   void ResolveStencil(const vtkShadowFrame& frame, float share, bool parity);
 
-  int DepthBounds = -1; // 1 and 0: used, and not; -1: not asked yet
+  bool DepthBounds = false;
   Way CurrentWay = Way::Stencil;
   vtkShadowTextureArray Depth, Counts, Sums;
   std::unique_ptr<vtkShadowDrawScope> Scope;

@@ -5,11 +5,10 @@
 uniform sampler2DArray shadowCounts;
 uniform int shadowParity;  // 1: an odd count is shadow; 0: a count above 0 is
 uniform float shadowShare; // of this light in the mask
-uniform int shadowIsSum;   // 1: shadowCounts holds a sum of shares, which is visibility itself
 
 void main()
 {
   float count = texelFetch(shadowCounts, ivec3(gl_FragCoord.xy, 0), 0).r;
   float shadow = shadowParity != 0 ? mod(abs(count), 2.0) : step(0.5, count);
-  gl_FragData[0] = vec4(shadowIsSum != 0 ? count : shadowShare * (1.0 - shadow));
+  gl_FragData[0] = vec4(shadowShare * (1.0 - shadow));
 }
