@@ -71,16 +71,16 @@ bool vtkPlanarShadowCanvas::DrawReceivers(const vtkShadowFrame& frame,
   }
   const float none[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   target.Clear(none);
-  // They are drawn white: blending makes a number of it.
+  // They are drawn with a red of 1, of which blending makes a number, and a green of their depth.
   vtkOpenGLState* state = frame.Window->GetState();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_CONSTANT_COLOR, GL_ZERO, GL_CONSTANT_COLOR, GL_ZERO);
   for (std::size_t i = 0; i < props.size(); ++i)
   {
-    glBlendColor(planesOfProps[i], planesOfProps[i], planesOfProps[i], planesOfProps[i]);
+    glBlendColor(planesOfProps[i], 1.0f, 1.0f, 1.0f);
     const std::vector<std::size_t> one = { props[i] };
-    frame.Shading->DrawDepths(frame, view, &one);
+    frame.Shading->DrawDepths(frame, view, &one, vtkShadowedShadingPass::COVERAGE);
   }
   return true;
 }
@@ -125,9 +125,8 @@ void vtkPlanarShadowCanvas::MarkReceivers(const vtkShadowFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
-  vtkShadowTextureArray& planes, float bit, const glm::dvec3& depthBeneath,
-  const glm::dvec3& depthAbove, double slack)
+void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& planes,
+  float bit, const glm::dvec3& depthBeneath, const glm::dvec3& depthAbove, double slack)
 {
   vtkOpenGLState* state = frame.Window->GetState();
   vtkShadowDrawScope target(frame.Window, this->Marks, 0);
@@ -150,14 +149,11 @@ void vtkPlanarShadowCanvas::MarkPlane(const vtkShadowFrame& frame, vtkShadowText
   SetVector(program, "shadowDepthAbove", depthAbove);
   program->SetUniformf("shadowDepthTolerance",
     static_cast<float>(std::ldexp(DepthSteps + 4.0 * terms, -24) + slack * slope));
-  depths.Activate();
   planes.Activate();
-  program->SetUniformi("shadowDepths", depths.Unit());
-  program->SetUniformi("shadowPlanesOfPixel", planes.Unit());
+  program->SetUniformi("shadowReceivers", planes.Unit());
   program->SetUniformf("shadowPlaneBit", bit);
   vtkShadowFullScreen::Draw();
   planes.Deactivate();
-  depths.Deactivate();
   state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 

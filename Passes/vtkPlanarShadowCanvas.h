@@ -24,9 +24,9 @@ public:
   // none.
   bool Reserve(const vtkShadowFrame& frame, int width, int height, bool sums);
 
-  // What the eye sees of the opaque `props`, by `view`: their depths, and on which planes they have
-  // receivers, as a sum of powers of two for each. Textures of the same size. false if the driver
-  // cannot.
+  // What the eye sees of the opaque `props`, by `view`: into `planes` (RG32F), on which planes they
+  // have receivers, as a sum of powers of two for each, and the depth of their surface. `depths`
+  // tells what is in front, as in the frame. Textures of the same size. false if the driver cannot.
   bool DrawReceivers(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
     vtkShadowTextureArray& planes, const vtkshadows::LightView& view,
     const std::vector<std::size_t>& props, const std::vector<float>& planesOfProps);
@@ -37,9 +37,8 @@ public:
   void KeepTo(int width, int height);
   // `bit`: the plane's, among those that DrawReceivers was told; `slack` pixels: by so much its
   // receivers' outline may be drawn elsewhere.
-  void MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& depths,
-    vtkShadowTextureArray& planes, float bit, const glm::dvec3& depthBeneath,
-    const glm::dvec3& depthAbove, double slack);
+  void MarkPlane(const vtkShadowFrame& frame, vtkShadowTextureArray& planes, float bit,
+    const glm::dvec3& depthBeneath, const glm::dvec3& depthAbove, double slack);
   void MarkReceivers(const vtkShadowFrame& frame, const vtkshadows::LightView& view,
     const std::vector<std::size_t>& props);
   void MarkAll(const vtkShadowFrame& frame);

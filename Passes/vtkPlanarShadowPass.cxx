@@ -555,8 +555,8 @@ void vtkPlanarShadowPass::Internals::MarkPlane(
     vtkshadows::DepthOnPlane(
       planeWC + rounding, this->ClipFromWorld, frame.Size[0], frame.Size[1], above))
   {
-    this->Canvas.MarkPlane(frame, this->Depths, this->PlanesOfPixels, this->BitOf(plane), beneath,
-      above, WidestEdge(*frame.Scene, this->Planes.ShadowedProps()));
+    this->Canvas.MarkPlane(frame, this->PlanesOfPixels, this->BitOf(plane), beneath, above,
+      WidestEdge(*frame.Scene, this->Planes.ShadowedProps()));
   }
   else
   {
@@ -608,7 +608,7 @@ bool vtkPlanarShadowPass::Internals::UpdateMasks(const vtkShadowFrame& frame, bo
   if (!isOnlyOne)
   {
     this->Depths.Reserve(frame.Window, Format::Depth24Stencil8, width, height, 1);
-    this->PlanesOfPixels.Reserve(frame.Window, Format::R32F, width, height, 1);
+    this->PlanesOfPixels.Reserve(frame.Window, Format::RG32F, width, height, 1);
     const std::vector<std::size_t>& props = this->Planes.ShadowedProps();
     std::vector<float> planesOfProps;
     for (const std::size_t i : props)

@@ -27,6 +27,8 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
       return { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
     case vtkShadowTextureArray::Format::R32F:
       return { GL_R32F, GL_RED, GL_FLOAT };
+    case vtkShadowTextureArray::Format::RG32F:
+      return { GL_RG32F, GL_RG, GL_FLOAT };
     case vtkShadowTextureArray::Format::RGBA32F:
       return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
     default:

@@ -19,6 +19,7 @@ public:
     Depth24Stencil8, // depth in 24 bits, and 8 of stencil
     RGBA32F,
     R32F,
+    RG32F,
     R8 // 0..255 read as 0..1
   };
 

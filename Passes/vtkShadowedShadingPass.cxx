@@ -411,13 +411,13 @@ void vtkShadowedShadingPass::ClampDepth(bool clamped)
 
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::DrawDepths(const vtkShadowFrame& frame,
-  const vtkshadows::LightView& view, const std::vector<std::size_t>* props)
+  const vtkshadows::LightView& view, const std::vector<std::size_t>* props, Stage stage)
 {
   const vtkSmartPointer<vtkCamera> eye = frame.Renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
   this->CasterCamera->SetParallelProjection(eye->GetParallelProjection());
   frame.Renderer->SetActiveCamera(this->CasterCamera);
-  this->DrawReceivers(frame, DEPTHS, props);
+  this->DrawReceivers(frame, stage, props);
   frame.Renderer->SetActiveCamera(eye);
 }
 
@@ -586,8 +586,10 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
     // Impostors keep their own discards.
     vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
-    vtkShaderProgram::Substitute(
-      fragmentShader, "//VTK::Light::Impl", "  gl_FragData[0] = vec4(1.0);\n", false);
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
+      this->CurrentStage == COVERAGE ? "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n"
+                                     : "  gl_FragData[0] = vec4(1.0);\n",
+      false);
     return true;
   }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
@@ -637,7 +639,10 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
 {
   if (this->DrawsDepthAlone())
   {
-    PlaceSurface(geometryShader, fragmentShader, this->CurrentStage == CASTERS);
+    if (this->CurrentStage != COVERAGE)
+    {
+      PlaceSurface(geometryShader, fragmentShader, this->CurrentStage == CASTERS);
+    }
     return true;
   }
   // VTK declares a position and colours of lights only where a primitive is lit.
@@ -721,7 +726,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   {
     this->State->vtkglDepthMask(GL_TRUE);
   }
-  if (this->CurrentStage == DEPTHS)
+  if (this->CurrentStage == DEPTHS || this->CurrentStage == COVERAGE)
   {
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;

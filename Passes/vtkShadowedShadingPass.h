@@ -61,6 +61,7 @@ public:
     SHADE,     // the frame
     CASTERS,   // depth from a light
     DEPTHS,    // depth from the eye
+    COVERAGE,  // what the frame shows in front, and as a colour (1, its surface's depth)
     POSITIONS, // the receivers' positions and normals
     VISIBILITY // the visibility of one light
   };
@@ -101,7 +102,7 @@ public:
   // The depth of what is opaque, of all props or of some, by the eye's view with a depth range of
   // its own.
   void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::LightView& view,
-    const std::vector<std::size_t>* props = nullptr);
+    const std::vector<std::size_t>* props = nullptr, Stage stage = DEPTHS);
 
   // The light that VISIBILITY shows.
   void SetShownLight(int light)
@@ -144,7 +145,8 @@ private:
   void ClampDepth(bool clamped);
   bool DrawsDepthAlone() const
   {
-    return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS;
+    return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS ||
+      this->CurrentStage == COVERAGE;
   }
 
   std::vector<LightPlan> Plan;

@@ -4,19 +4,19 @@
 // has a receiver there: others may cross the plane.
 //VTK::Output::Dec
 
-uniform sampler2DArray shadowDepths;
+uniform sampler2DArray shadowReceivers; // on which planes, a sum of powers of two; and depth
 uniform vec3 shadowDepthBeneath, shadowDepthAbove; // a x + b y + c
 uniform float shadowDepthTolerance;
-uniform sampler2DArray shadowPlanesOfPixel; // a sum of powers of two, one a plane
-uniform float shadowPlaneBit;               // that of this plane
+uniform float shadowPlaneBit; // that of this plane
 
 void main()
 {
-  float planes = texelFetch(shadowPlanesOfPixel, ivec3(gl_FragCoord.xy, 0), 0).r;
-  float depth = texelFetch(shadowDepths, ivec3(gl_FragCoord.xy, 0), 0).r;
+  vec2 receiver = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0).rg;
+  float planes = receiver.r, depth = receiver.g;
   vec3 pixel = vec3(gl_FragCoord.xy, 1.0);
   float one = dot(shadowDepthBeneath, pixel), other = dot(shadowDepthAbove, pixel);
-  if (mod(floor(planes / shadowPlaneBit), 2.0) < 0.5 || depth < min(one, other) - shadowDepthTolerance || depth > max(one, other) + shadowDepthTolerance)
+  bool isOn = depth >= min(one, other) - shadowDepthTolerance && depth <= max(one, other) + shadowDepthTolerance;
+  if (!isOn || mod(floor(planes / shadowPlaneBit), 2.0) < 0.5)
   {
     discard;
   }

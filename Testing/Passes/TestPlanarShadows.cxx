@@ -741,9 +741,10 @@ TEST_F(PlanarShadows, PlateausSoftenOutwards)
   Check("builds", static_cast<double>(this->Planar()->GetNumberOfTextureBuilds() - builds), 1.0);
 }
 
-// What VTK does to set lines off from polygons in a picture moves no shadow. On one plane it
-// changes nothing. Where several receivers hide each other, it decides for itself which is in front
-// where they touch: these bounds are what was measured, not an aim.
+// What VTK does to set lines off from polygons in a picture moves no shadow, on one plane or where
+// receivers of several hide each other. Polygons with visible edges it draws half an edge larger,
+// and with that every position on them is off by a part of a pixel, and its truth: those bounds are
+// what was measured, not an aim.
 TEST_F(PlanarShadows, EdgesAndPolygonOffsets)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
@@ -767,8 +768,7 @@ TEST_F(PlanarShadows, EdgesAndPolygonOffsets)
           ->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 20.0);
       });
     this->Render();
-    this->CheckMeasure(
-      "polygon offsets" + planes, spot, isTwo ? 0.15 : MostMismatchPercent, isTwo ? 0.1 : 0.0);
+    this->CheckMeasure("polygon offsets" + planes, spot, MostMismatchPercent, 0.0);
     vtkMapper::SetResolveCoincidentTopologyToDefault();
     const auto showEdges = [this](int shown)
     {
@@ -777,7 +777,7 @@ TEST_F(PlanarShadows, EdgesAndPolygonOffsets)
     };
     showEdges(1);
     this->Render();
-    this->CheckMeasure("visible edges" + planes, spot, isTwo ? 0.35 : 0.2, isTwo ? 0.15 : 0.0);
+    this->CheckMeasure("visible edges" + planes, spot, isTwo ? 0.3 : 0.2, isTwo ? 0.1 : 0.0);
     showEdges(0);
   }
 }
