@@ -4,13 +4,8 @@
  *
  * Technique "depth-map", form lookup: casters are drawn from the light into a map of depths; while
  * a receiver is shaded, its position is compared with the four texels around it and the four
- * answers are blended (2x2 percentage-closer filtering). Directional, spot and point lights.
- *
- * A map is fitted in double to the casters that can shadow a receiver. Flat casters that have
- * every receiver on their lit side (the floor under a scene) are left out of it. Where one view
- * cannot hold the light (a point light amid its casters, or a spot wider than 78 degrees amid
- * them), it has a map for each face of a cube in which a caster can shadow a receiver. A map is
- * drawn again only if the light, a caster or the fit changed; GetNumberOfMapBuilds counts.
+ * answers are blended (2x2 percentage-closer filtering). Directional, spot and point lights; which
+ * views they have, and when a map is drawn again, see vtkMapShadowPass.
  *
  * Bias is automatic: each texel's depth is compared at that texel's centre on the receiver's own
  * plane there, with a slack of half a texel, along the plane's slope and in depth, plus the
@@ -32,60 +27,56 @@
 #ifndef vtkDepthShadowMapPass_h
 #define vtkDepthShadowMapPass_h
 
-#include "vtkShadowTechniquePass.h"
-#include "vtkTimeStamp.h" // for what shaders are written with
+#include "vtkMapShadowPass.h"
 
-#include <memory> // for std::unique_ptr
-
-class VTKSHADOWSPASSES_EXPORT vtkDepthShadowMapPass : public vtkShadowTechniquePass
+class VTKSHADOWSPASSES_EXPORT vtkDepthShadowMapPass : public vtkMapShadowPass
 {
 public:
   static vtkDepthShadowMapPass* New();
-  vtkTypeMacro(vtkDepthShadowMapPass, vtkShadowTechniquePass);
+  vtkTypeMacro(vtkDepthShadowMapPass, vtkMapShadowPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FilterType
+  {
+    PERCENTAGE_CLOSER = 0 // four texels, each against the receiver's plane at its centre, blended
+  };
 
   ///@{
   /**
-   * Texels on the longer side of each map, 1 or more (default 2048); the shorter side has as many
-   * as its length asks for, so that texels are square. Of a cube, each face has them. Above the
-   * driver's limit: an error at the next frame that names the limit, which is then used.
+   * How a receiver is held against the map: one of FilterType (default PERCENTAGE_CLOSER), or its
+   * name: "percentage-closer". Another one is an error that lists the known ones, and changes
+   * nothing.
    */
-  void SetResolution(int resolution);
-  vtkGetMacro(Resolution, int);
+  void SetFilter(int filter);
+  void SetFilter(const std::string& name);
+  vtkGetMacro(Filter, int);
+  static std::string GetFilterName(int filter);
+  static int GetNumberOfFilters();
   ///@}
 
-  /**
-   * Maps drawn since this pass was made: grows only when a light, a caster or a fit changed.
-   */
-  vtkGetMacro(NumberOfMapBuilds, vtkIdType);
-
   const char* GetTechniqueName() const override { return "depth-map"; }
-  VisibilityForm GetVisibilityForm() const override { return LOOKUP; }
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
   vtkDepthShadowMapPass();
   ~vtkDepthShadowMapPass() override;
 
-  bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
-  std::string GetLookupDeclarations() const override;
-  std::string GetLookupFunction(int slot, vtkProp*) const override;
-  int GetLookupIndex(int slot) const override;
-  const float* GetLookupMatrix(int slot, vtkProp*) const override;
-  const float* GetLitMatrix() const override;
-  void SetLookupParameters(vtkShaderProgram* program, vtkProp*) override;
-  vtkMTimeType GetReceiverStamp() const override { return this->LookupStamp.GetMTime(); }
+  std::string GetLookupPrefix() const override { return "shadowDepthMap"; }
+  std::string GetMacroPrefix() const override { return "SHADOW_DEPTH_MAP"; }
+  std::string GetCompareDeclarations() const override;
+  bool ReserveMaps(const vtkShadowFrame& frame, int width, int height, int layers) override;
+  void BeginMaps(const vtkShadowFrame& frame) override;
+  void DrawMap(const vtkShadowFrame& frame, const vtkShadowMapSlot& slot,
+    const vtkShadowMapView& view, int width, int height) override;
   vtkShadowTextureArray* GetTextures() override;
   std::string GetSamplerName() const override { return "shadowDepthMaps"; }
 
-  int Resolution = 2048;
-  vtkIdType NumberOfMapBuilds = 0;
+  int Filter = PERCENTAGE_CLOSER;
 
 private:
   vtkDepthShadowMapPass(const vtkDepthShadowMapPass&) = delete;
   void operator=(const vtkDepthShadowMapPass&) = delete;
 
-  vtkTimeStamp LookupStamp; // of the functions and layers that shaders are written with
   class Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -1,0 +1,81 @@
+// From a receiver's position to the maps of its light. This text is written into a shader once for each
+// technique by maps, "shadowMap" and "SHADOW_MAP" replaced by names of the technique's own. Ahead of it stand
+// SHADOW_MAP_WIDTH and _HEIGHT, a layer's texels (a uniform costs a software rasteriser as much as a texture
+// fetch), and the technique's
+//   float shadowMapCompare(int layer, vec3 p, vec2 slope)
+// with p: texels, and depth less the bound of its rounding; slope: of the receiver's plane, in depth per texel.
+
+// dx, dy: how p changes along two directions on the receiver's plane.
+float shadowMapCompare(int layer, vec3 p, vec3 dx, vec3 dy)
+{
+  // The receiver's plane in the map: depth change per texel.
+  float determinant = dx.x * dy.y - dx.y * dy.x;
+  float inverse = determinant != 0.0 ? 1.0 / determinant : 0.0;
+  vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
+  return shadowMapCompare(layer, p, slope);
+}
+
+float shadowMapParallel(int layer, vec4 q)
+{
+  return shadowMapCompare(layer, q.xyz, dFdx(q.xyz), dFdy(q.xyz));
+}
+
+float shadowMapParallel(int layer, vec4 q, vec4 dq1, vec4 dq2)
+{
+  return shadowMapCompare(layer, q.xyz, dq1.xyz, dq2.xyz);
+}
+
+// Behind a light nothing was drawn.
+float shadowMapPerspective(int layer, vec4 q)
+{
+  vec3 p = q.xyz / q.w;
+  float visibility = shadowMapCompare(layer, p, dFdx(p), dFdy(p));
+  return q.w > 0.0 ? visibility : 1.0;
+}
+
+float shadowMapPerspective(int layer, vec4 q, vec4 dq1, vec4 dq2)
+{
+  vec3 p = q.xyz / q.w;
+  float visibility =
+    shadowMapCompare(layer, p, (dq1.xyz - p * dq1.w) / q.w, (dq2.xyz - p * dq2.w) / q.w);
+  return q.w > 0.0 ? visibility : 1.0;
+}
+
+#ifdef SHADOW_MAP_CUBES
+// The six faces of each cube: depth = x + y / (depth before the light), z the layer, w texels per tangent. See
+// Core/LightView.h for how they lie.
+uniform vec4 shadowMapFaces[6 * SHADOW_MAP_CUBES];
+
+// q: as seen from the light, in the cube's axes; normal: of the receiver's plane. Neither knows of faces, so
+// that it does not matter what face a neighbour is on.
+float shadowMapCube(int cube, vec4 q, vec3 normal)
+{
+  vec3 reach = abs(q.xyz);
+  bool isX = reach.x >= max(reach.y, reach.z);
+  bool isY = !isX && reach.y >= reach.z;
+  vec3 r = isX ? q.yzx : isY ? q.zxy : q.xyz;
+  vec2 n = isX ? normal.yz : isY ? normal.zx : normal.xy;
+  vec4 face = shadowMapFaces[6 * cube + (isX ? 0 : isY ? 2 : 4) + (r.z < 0.0 ? 1 : 0)];
+
+  float inverse = 1.0 / r.z;
+  float way = r.z < 0.0 ? -1.0 : 1.0;
+  vec3 p = vec3(vec2(-face.w, face.w * way) * r.xy * inverse + 0.5 * float(SHADOW_MAP_HEIGHT),
+    face.x + face.y * abs(inverse));
+
+  // On the plane n.q = h the inverse of the depth is linear in the tangents.
+  float h = dot(normal, q.xyz);
+  vec2 slope = vec2(-way, 1.0) * n * (h != 0.0 ? face.y / (face.w * h) : 0.0);
+  float visibility = shadowMapCompare(int(face.z), p, slope);
+  return q.w > 0.0 ? 1.0 : visibility;
+}
+
+float shadowMapCube(int cube, vec4 q)
+{
+  return shadowMapCube(cube, q, cross(dFdx(q.xyz), dFdy(q.xyz)));
+}
+
+float shadowMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
+{
+  return shadowMapCube(cube, q, cross(dq1.xyz, dq2.xyz));
+}
+#endif
