@@ -35,6 +35,17 @@ void vtkShadowTechniquePass::ReleaseGraphicsResources(vtkWindow* w)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowTechniquePass::ActivateTextures()
+{
+  this->GetTextures()->Activate();
+}
+
+void vtkShadowTechniquePass::DeactivateTextures()
+{
+  this->GetTextures()->Deactivate();
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTechniquePass::WarnOnce(const void* subject, const std::string& message)
 {
   const auto known = std::find_if(this->Warned.begin(), this->Warned.end(),

@@ -85,6 +85,15 @@ protected:
 
   ///@{
   /**
+   * Bind those layers, and give them back, around everything that is drawn with the visibility. One
+   * with further textures binds them here, and names their units in SetLookupParameters.
+   */
+  virtual void ActivateTextures();
+  virtual void DeactivateTextures();
+  ///@}
+
+  ///@{
+  /**
    * LOOKUP: GLSL 1.50 that declares the sampler and `float f(int index, vec4 position)`; the name
    * of f and its index for a slot and what a prop shows; and the matrix, column-major, that takes a
    * receiver's position from the eye's view coordinates to the space that f wants it in, which

@@ -255,7 +255,7 @@ void vtkShadowedShadingPass::ActivateTextures()
   std::vector<vtkMTimeType> stamps;
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
-    technique->GetTextures()->Activate();
+    technique->ActivateTextures();
     stamps.push_back(technique->GetReceiverStamp());
   }
   this->Catchers->ActivateMasks();
@@ -287,7 +287,7 @@ void vtkShadowedShadingPass::Detach()
 {
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
-    technique->GetTextures()->Deactivate();
+    technique->DeactivateTextures();
   }
   this->Catchers->DeactivateMasks();
   this->ClampDepth(false);
