@@ -1,12 +1,15 @@
 #include "vtkDepthShadowMapPass.h"
 
 #include "ShadowReach.h"
+#include "vtkDepthShadowMapPassExact.h"
 #include "vtkDepthShadowMapPassLookup.h"
+#include "vtkDepthShadowMapPassPercentageCloser.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowHiddenFaces.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTriangleMaps.h"
 #include "vtkShadowedShadingPass.h"
 
 #include "vtkObjectFactory.h"
@@ -20,7 +23,7 @@ namespace
 {
 
 // By FilterType.
-const char* const FilterNames[] = { "percentage-closer" };
+const char* const FilterNames[] = { "percentage-closer", "exact" };
 
 }
 
@@ -30,6 +33,8 @@ class vtkDepthShadowMapPass::Internals
 public:
   vtkShadowTextureArray Maps;
   vtkShadowHiddenFaces HiddenFaces;
+  vtkShadowTriangleMaps Triangles; // of the filter EXACT
+  int DrawnFor = PERCENTAGE_CLOSER;
 };
 
 //------------------------------------------------------------------------------
@@ -88,14 +93,41 @@ void vtkDepthShadowMapPass::SetFilter(const std::string& name)
 bool vtkDepthShadowMapPass::ReserveMaps(
   const vtkShadowFrame& frame, int width, int height, int layers)
 {
-  return this->Internal->Maps.Reserve(
-    frame.Window, vtkShadowTextureArray::Format::Depth32F, width, height, layers);
+  Internals& my = *this->Internal;
+  bool isLost =
+    my.Maps.Reserve(frame.Window, vtkShadowTextureArray::Format::Depth32F, width, height, layers);
+  if (this->Filter == EXACT)
+  {
+    isLost = my.Triangles.Reserve(frame.Window, width, height, layers) || isLost;
+    if (!my.Triangles.IsReady())
+    {
+      my.Maps.Release();
+    }
+  }
+  else
+  {
+    my.Triangles.Release();
+  }
+  isLost = isLost || my.DrawnFor != this->Filter;
+  my.DrawnFor = this->Filter;
+  return isLost;
 }
 
 //------------------------------------------------------------------------------
 void vtkDepthShadowMapPass::BeginMaps(const vtkShadowFrame& frame)
 {
-  this->Internal->HiddenFaces.BeginFrame(frame.Scene->GetProps());
+  Internals& my = *this->Internal;
+  my.HiddenFaces.BeginFrame(frame.Scene->GetProps());
+  if (this->Filter == EXACT)
+  {
+    my.Triangles.Update(frame, this->GetViews());
+    const std::string& fault = my.Triangles.GetFault();
+    this->WarnOnce(&my.Triangles,
+      fault.empty() ? fault
+                    : "The filter \"exact\" has " + fault +
+          ": shadows are as by \"percentage-closer\". Decimate the casters, or give fewer lights "
+          "this filter.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -103,19 +135,71 @@ void vtkDepthShadowMapPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
   const vtkShadowMapView& view, int width, int height)
 {
   Internals& my = *this->Internal;
-  vtkShadowDrawScope target(frame.Window, my.Maps, view.Layer);
-  // All of the layer is cleared, and its outermost texels stay so: what lies off the map is lit.
-  target.Clear(nullptr);
-  target.Confine(width, height, 1);
-  frame.Shading->DrawCasters(frame, view.Casters, view.View,
-    my.HiddenFaces.CulledOf(
-      frame.Scene->GetProps(), view.Casters, vtkshadows::HomogeneousLight(slot.Light)));
+  const bool isExact = this->Filter == EXACT;
+  const std::vector<std::size_t> casters = isExact ? my.Triangles.PlainCasters(view) : view.Casters;
+  {
+    vtkShadowDrawScope target(frame.Window, my.Maps, view.Layer);
+    // All of the layer is cleared, and its outermost texels stay so: what lies off the map is lit.
+    target.Clear(nullptr);
+    target.Confine(width, height, 1);
+    if (!casters.empty())
+    {
+      frame.Shading->DrawCasters(frame, casters, view.View,
+        my.HiddenFaces.CulledOf(
+          frame.Scene->GetProps(), casters, vtkshadows::HomogeneousLight(slot.Light)));
+    }
+  }
+  if (isExact)
+  {
+    const auto number = static_cast<std::size_t>(&slot - this->GetViews().GetSlots().data());
+    my.Triangles.Draw(frame, my.Maps, number, view, width, height);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkDepthShadowMapPass::UpdateVisibility(
+  const vtkShadowFrame& frame, const std::vector<int>& lights)
+{
+  const bool done = this->Superclass::UpdateVisibility(frame, lights);
+  if (this->Internal->Triangles.TakeShaderChange())
+  {
+    this->LookupChanged();
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkDepthShadowMapPass::GetCompareDeclarations() const
 {
-  return vtkDepthShadowMapPassLookup;
+  const std::string lookup = vtkDepthShadowMapPassLookup;
+  return this->Filter == EXACT
+    ? this->Internal->Triangles.Declarations() + lookup + vtkDepthShadowMapPassExact
+    : lookup + vtkDepthShadowMapPassPercentageCloser;
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthShadowMapPass::ActivateTextures()
+{
+  this->Superclass::ActivateTextures();
+  if (this->Filter == EXACT)
+  {
+    this->Internal->Triangles.Activate();
+  }
+}
+
+void vtkDepthShadowMapPass::DeactivateTextures()
+{
+  this->Superclass::DeactivateTextures();
+  this->Internal->Triangles.Deactivate();
+}
+
+void vtkDepthShadowMapPass::SetLookupParameters(vtkShaderProgram* program, vtkProp* prop)
+{
+  this->Superclass::SetLookupParameters(program, prop);
+  if (this->Filter == EXACT)
+  {
+    this->Internal->Triangles.SetParameters(program);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +212,7 @@ vtkShadowTextureArray* vtkDepthShadowMapPass::GetTextures()
 void vtkDepthShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Internal->Maps.Release();
+  this->Internal->Triangles.Release();
   this->Superclass::ReleaseGraphicsResources(w);
 }
 

@@ -38,14 +38,15 @@ public:
 
   enum FilterType
   {
-    PERCENTAGE_CLOSER = 0 // four texels, each against the receiver's plane at its centre, blended
+    PERCENTAGE_CLOSER = 0, // four texels, each against the receiver's plane at its centre, blended
+    EXACT = 1              // the triangles that four texels show, followed to the receiver
   };
 
   ///@{
   /**
    * How a receiver is held against the map: one of FilterType (default PERCENTAGE_CLOSER), or its
-   * name: "percentage-closer". Another one is an error that lists the known ones, and changes
-   * nothing.
+   * name: "percentage-closer", "exact". Another one is an error that lists the known ones, and
+   * changes nothing.
    */
   void SetFilter(int filter);
   void SetFilter(const std::string& name);
@@ -68,7 +69,11 @@ protected:
   void BeginMaps(const vtkShadowFrame& frame) override;
   void DrawMap(const vtkShadowFrame& frame, const vtkShadowMapSlot& slot,
     const vtkShadowMapView& view, int width, int height) override;
+  bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   vtkShadowTextureArray* GetTextures() override;
+  void ActivateTextures() override;
+  void DeactivateTextures() override;
+  void SetLookupParameters(vtkShaderProgram* program, vtkProp* prop) override;
   std::string GetSamplerName() const override { return "shadowDepthMaps"; }
 
   int Filter = PERCENTAGE_CLOSER;

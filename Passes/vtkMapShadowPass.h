@@ -103,6 +103,11 @@ protected:
    */
   void ForgetMaps();
 
+  /**
+   * Say that shaders must be written anew, with other declarations.
+   */
+  void LookupChanged() { this->LookupStamp.Modified(); }
+
   int Resolution = 2048;
   vtkIdType NumberOfMapBuilds = 0;
 

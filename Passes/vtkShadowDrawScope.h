@@ -25,8 +25,10 @@ public:
   // alone.
   void Confine(int width, int height, int border);
 
-  // Depth to 1, colour to rgba.
+  // Depth to 1, colour to rgba; one of integers to 0.
   void Clear(const float rgba[4]);
+  // The same, of the colour alone.
+  void ClearColour(const float rgba[4]);
 
   // Read the colour attachment: width*height*4 floats, row by row from the bottom.
   void ReadColour(float* rgba) const;
@@ -47,6 +49,7 @@ private:
   int Width;
   int Height;
   bool HasColour;
+  bool HasIntegers;
   bool Complete = false;
   unsigned int Framebuffer = 0;
 };

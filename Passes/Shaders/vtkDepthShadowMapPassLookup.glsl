@@ -1,5 +1,5 @@
-// Visibility by depth map: each of the four texels around the receiver is compared, at its own centre,
-// with the receiver's plane there.
+// Depths around a receiver, and its comparison with them: each of the four texels is compared, at its own
+// centre, with the receiver's plane there.
 
 uniform sampler2DArray shadowDepthMaps;
 
@@ -20,19 +20,22 @@ vec4 shadowDepthMapGather(int layer, vec2 corner)
 #endif
 }
 
-// p: texels, and depth less the bound of its rounding; slope: of the receiver's plane, in depth per texel.
-float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
+// Between the four texels around p: its lower left texel has the centre corner - 0.5. Off the map nothing casts;
+// one texel that stays in the cache stands for all of that.
+vec2 shadowDepthMapCornerAt(vec2 p)
+{
+  const vec2 middle = 0.5 * vec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT);
+  vec2 beyond = abs(p - middle) - middle;
+  return max(beyond.x, beyond.y) <= 0.0 ? floor(p + 0.5) : vec2(0.0);
+}
+
+// p: texels, and depth less the bound of its rounding; slope: of the receiver's plane, in depth per texel; f: of p
+// from the lower left centre.
+float shadowDepthMapBlend(vec4 depth, vec3 p, vec2 slope, vec2 f)
 {
   // Half a texel of slope for what the rasteriser did not put exactly at the texel's centre.
   float rise = abs(slope.x) + abs(slope.y);
   float slack = min(0.5 * rise, 1.0);
-
-  // Off the map nothing casts; one texel that stays in the cache stands for all of that.
-  const vec2 middle = 0.5 * vec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT);
-  vec2 beyond = abs(p.xy - middle) - middle;
-  vec2 corner = max(beyond.x, beyond.y) <= 0.0 ? floor(p.xy + 0.5) : vec2(0.0);
-  vec2 f = p.xy + 0.5 - corner;
-  vec4 depth = shadowDepthMapGather(layer, corner);
 
   // The plane at the four centres; beyond the farthest caster there is nothing but what was cleared to 1.
   float z = p.z - slack - dot(slope, f);

@@ -1,0 +1,442 @@
+#include "vtkShadowTriangleMaps.h"
+
+#include "ShadowReach.h"
+#include "vtkShadowCasterMesh.h"
+#include "vtkShadowDrawScope.h"
+#include "vtkShadowMatrix.h"
+#include "vtkShadowOpenGL.h"
+#include "vtkShadowSceneData.h"
+#include "vtkShadowTriangleMapsFS.h"
+#include "vtkShadowTriangleMapsVS.h"
+
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+using vtkshadows::LightCorner;
+using vtkshadows::LightTriangles;
+using vtkshadows::LightView;
+
+namespace
+{
+
+// From a view's coordinates, in which it looks along -z, to depths before it.
+glm::dmat4 DepthFromView(double zeroDepth)
+{
+  glm::dmat4 m = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, -1.0));
+  m[3][2] = -zeroDepth;
+  return m;
+}
+
+// Depths before the light at which a view's map begins and ends.
+void RangeOf(const LightView& view, double& nearDepth, double& farDepth)
+{
+  const double scale = view.clipFromView[2][2], offset = view.clipFromView[3][2];
+  nearDepth = view.parallel ? (1.0 + offset) / scale : offset / (scale - 1.0);
+  farDepth = view.parallel ? (offset - 1.0) / scale : offset / (scale + 1.0);
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTriangleMaps::~vtkShadowTriangleMaps()
+{
+  this->Release();
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTriangleMaps::Reserve(
+  vtkOpenGLRenderWindow* window, int width, int height, int layers)
+{
+  if (this->Window.GetPointer() != window)
+  {
+    this->Release();
+    this->Window = window;
+  }
+  return this->Numbers.Reserve(window, vtkShadowTextureArray::Format::R32UI, width, height, layers);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTriangleMaps::Caster& vtkShadowTriangleMaps::CasterOf(const vtkShadowScene::Piece& piece)
+{
+  return this->Casters.Of(piece,
+    [&piece]()
+    {
+      Caster caster;
+      vtkShadowCasterMesh built = vtkShadowCasterMesh::Build(piece);
+      caster.IsTriangles = built.Fault.empty() && built.Skipped.empty();
+      if (caster.IsTriangles)
+      {
+        caster.Neighbours =
+          vtkshadows::FindNeighbours(built.Mesh.edges, built.Mesh.triangles.size());
+        caster.ModelFromCaster = built.ModelFromCaster;
+        caster.Mesh = std::move(built.Mesh);
+        caster.Mesh.edges = {};
+      }
+      return caster;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTriangleMaps::IsTriangles(const vtkShadowScene::Prop& prop)
+{
+  return std::all_of(prop.Pieces.begin(), prop.Pieces.end(),
+    [this](const vtkShadowScene::Piece& piece)
+    {
+      const double determinant = glm::determinant(glm::dmat3(piece.WorldFromModel));
+      return piece.DrawnSolid && std::isfinite(determinant) && determinant != 0.0 &&
+        this->CasterOf(piece).IsTriangles;
+    });
+}
+
+//------------------------------------------------------------------------------
+// Its third axis is the depth before the light less zeroDepth; for a cube, the cube's own axes.
+glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(const vtkShadowMapSlot& slot, double& zeroDepth)
+{
+  zeroDepth = 0.0;
+  if (slot.IsCube)
+  {
+    return slot.CubeFromWorld;
+  }
+  const LightView& view = slot.Views.front().View;
+  double farDepth = 0.0;
+  RangeOf(view, zeroDepth, farDepth);
+  return DepthFromView(zeroDepth) * view.viewFromWorld;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowMapViews& views)
+{
+  const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
+  this->Casters.BeginFrame(props);
+  this->DrawnHere.assign(props.size(), 0);
+  std::vector<std::vector<std::size_t>> propsOf(views.GetSlots().size());
+  std::vector<std::size_t> rooms(views.GetSlots().size(), 0);
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < propsOf.size(); ++i)
+  {
+    std::vector<std::size_t>& wanted = propsOf[i];
+    for (const vtkShadowMapView& view : views.GetSlots()[i].Views)
+    {
+      wanted.insert(wanted.end(), view.Casters.begin(), view.Casters.end());
+    }
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
+                   [&](std::size_t prop) { return !this->IsTriangles(props[prop]); }),
+      wanted.end());
+    for (const std::size_t prop : wanted)
+    {
+      for (const vtkShadowScene::Piece& piece : props[prop].Pieces)
+      {
+        rooms[i] += this->CasterOf(piece).Mesh.triangles.size();
+      }
+    }
+    total += rooms[i];
+  }
+
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  this->Fault.clear();
+  if (3 * total > static_cast<std::size_t>(most))
+  {
+    this->Fault = std::to_string(total) + " triangles of all lights, more than the " +
+      std::to_string(most / 3) + " that this OpenGL driver takes at once";
+    total = 0;
+    std::fill(rooms.begin(), rooms.end(), std::size_t(0));
+    std::fill(propsOf.begin(), propsOf.end(), std::vector<std::size_t>());
+  }
+  if (total > this->Capacity || total < this->Capacity / 4)
+  {
+    this->Capacity = total;
+    this->Parts.clear();
+    if (!this->Buffer)
+    {
+      glGenBuffers(1, &this->Buffer);
+      glGenTextures(1, &this->Corners);
+      glGenTextures(1, &this->Neighbours);
+    }
+    glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+    glBufferData(GL_TEXTURE_BUFFER,
+      static_cast<GLsizeiptr>(3 * std::max(total, std::size_t(1)) * sizeof(LightCorner)), nullptr,
+      GL_DYNAMIC_DRAW);
+    glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  }
+
+  this->Parts.resize(propsOf.size());
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < propsOf.size(); ++i)
+  {
+    Part& part = this->Parts[i];
+    for (const std::size_t prop : propsOf[i])
+    {
+      this->DrawnHere[prop] = 1;
+    }
+    if (part.First != first || part.Room != rooms[i] || part.Props != propsOf[i])
+    {
+      part.Known = false;
+    }
+    part.First = first;
+    part.Room = rooms[i];
+    part.Props = propsOf[i];
+    first += rooms[i];
+    this->UpdatePart(frame, views.GetSlots()[i], part);
+  }
+  this->UpdatePlaces(views);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::UpdatePart(
+  const vtkShadowFrame& frame, const vtkShadowMapSlot& slot, Part& part)
+{
+  if (part.Room == 0)
+  {
+    part.Ranges.clear();
+    return;
+  }
+  double zeroDepth = 0.0;
+  const glm::dmat4 lightFromWorld = LightFromWorld(slot, zeroDepth);
+  const vtkMTimeType stamp = frame.Scene->GetCasterStamp();
+  if (part.Known && part.CasterStamp == stamp && part.LightFromWorld == lightFromWorld)
+  {
+    return;
+  }
+  part.CasterStamp = stamp;
+  part.LightFromWorld = lightFromWorld;
+  part.Ranges.clear();
+  const glm::dvec4 light = vtkshadows::HomogeneousLight(slot.Light);
+
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  const auto bytes = static_cast<GLsizeiptr>(3 * part.Room * sizeof(LightCorner));
+  auto* corners = static_cast<LightCorner*>(
+    glMapBufferRange(GL_TEXTURE_BUFFER, static_cast<GLintptr>(3 * part.First * sizeof(LightCorner)),
+      bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT));
+  std::size_t written = 0;
+  for (const std::size_t prop : part.Props)
+  {
+    Range range;
+    range.Prop = prop;
+    range.First = static_cast<int>(part.First + written);
+    for (const vtkShadowScene::Piece& piece : frame.Scene->GetProps()[prop].Pieces)
+    {
+      const Caster& caster = this->CasterOf(piece);
+      const glm::dmat4 worldFromCaster = piece.WorldFromModel * caster.ModelFromCaster;
+      const LightTriangles triangles(caster.Mesh, caster.Neighbours,
+        lightFromWorld * worldFromCaster, glm::inverse(worldFromCaster) * light,
+        glm::determinant(glm::dmat3(worldFromCaster)) < 0.0);
+      if (corners)
+      {
+        triangles.Write(
+          corners + 3 * written, static_cast<std::uint32_t>(part.First + written + 1));
+      }
+      written += triangles.Count();
+    }
+    range.Count = static_cast<int>(part.First + written) - range.First;
+    part.Ranges.push_back(range);
+  }
+  // Lost memory, as OpenGL allows, is written again with the next frame.
+  part.Known = corners && glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::UpdatePlaces(const vtkShadowMapViews& views)
+{
+  std::size_t layers = 1;
+  bool hasCubes = false;
+  for (const vtkShadowMapSlot& slot : views.GetSlots())
+  {
+    hasCubes = hasCubes || slot.IsCube;
+    for (const vtkShadowMapView& view : slot.Views)
+    {
+      layers = std::max(layers, static_cast<std::size_t>(view.Layer) + 1);
+    }
+  }
+  this->ShaderChanged = this->ShaderChanged || layers > this->Places.size();
+  this->Places.resize(std::max(layers, this->Places.size()));
+  for (const vtkShadowMapSlot& slot : views.GetSlots())
+  {
+    for (const vtkShadowMapView& view : slot.Views)
+    {
+      double zeroDepth = 0.0;
+      const glm::dmat4 lightFromWorld = LightFromWorld(slot, zeroDepth);
+      const glm::dmat4& clip = view.View.clipFromView;
+      const glm::dvec2 half = 0.5 * glm::dvec2(views.WidthOf(view.View), views.HeightOf(view.View));
+      const glm::dvec2 perUnit = half * glm::dvec2(clip[0][0], clip[1][1]);
+      glm::dvec2 axis = half *
+        (view.View.parallel ? glm::dvec2(1.0 + clip[3][0], 1.0 + clip[3][1])
+                            : glm::dvec2(1.0 - clip[2][0], 1.0 - clip[2][1]));
+      double nearDepth = 0.0, farDepth = 0.0;
+      RangeOf(view.View, nearDepth, farDepth);
+      double begin = nearDepth - zeroDepth;
+      if (view.View.parallel)
+      {
+        // Views of one light differ by where they stand.
+        const glm::dvec3 moved(
+          (DepthFromView(zeroDepth) * view.View.viewFromWorld * glm::inverse(lightFromWorld))[3]);
+        axis += perUnit * glm::dvec2(moved);
+        begin -= moved.z;
+      }
+      Place& place = this->Places[view.Layer];
+      place.Plane = { static_cast<float>(axis.x), static_cast<float>(axis.y),
+        static_cast<float>(1.0 / perUnit.x), static_cast<float>(1.0 / perUnit.y) };
+      place.Depth = { static_cast<float>(begin), static_cast<float>(farDepth - nearDepth),
+        static_cast<float>(nearDepth), view.View.parallel ? 0.0f : static_cast<float>(farDepth) };
+      place.Other = { static_cast<float>(view.Face), static_cast<float>(zeroDepth),
+        static_cast<float>(views.RiseOf(view.View)), 0.0f };
+    }
+  }
+  this->ShaderChanged = this->ShaderChanged || hasCubes != this->HasCubes;
+  this->HasCubes = hasCubes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::size_t> vtkShadowTriangleMaps::PlainCasters(const vtkShadowMapView& view) const
+{
+  std::vector<std::size_t> plain;
+  std::copy_if(view.Casters.begin(), view.Casters.end(), std::back_inserter(plain),
+    [this](std::size_t prop) { return this->DrawnHere[prop] == 0; });
+  return plain;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths,
+  std::size_t slot, const vtkShadowMapView& view, int width, int height)
+{
+  vtkShadowDrawScope target(frame.Window, depths, view.Layer, &this->Numbers, view.Layer);
+  target.ClearColour(nullptr);
+  target.Confine(width, height, 1);
+  const Part& part = this->Parts[slot];
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (const Range& range : part.Ranges)
+  {
+    const bool isSeen = std::binary_search(view.Casters.begin(), view.Casters.end(), range.Prop);
+    if (isSeen && range.Count > 0)
+    {
+      firsts.push_back(3 * range.First);
+      counts.push_back(3 * range.Count);
+    }
+  }
+  if (firsts.empty())
+  {
+    return;
+  }
+
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowTriangleMapsVS, vtkShadowTriangleMapsFS, "");
+  std::array<float, 16> clipFromLight = vtkShadowMatrix::ToFloats(
+    view.View.clipFromView * view.View.viewFromWorld * glm::inverse(part.LightFromWorld));
+  program->SetUniformMatrix4x4("shadowClipFromLight", clipFromLight.data());
+  // What lies before the near plane still casts.
+  glEnable(GL_DEPTH_CLAMP);
+  GLuint arrays = 0;
+  glGenVertexArrays(1, &arrays);
+  glBindVertexArray(arrays);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+  const auto place = static_cast<GLuint>(
+    glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "shadowCorner"));
+  glEnableVertexAttribArray(place);
+  glVertexAttribPointer(place, 3, GL_FLOAT, GL_FALSE, sizeof(LightCorner), nullptr);
+  glMultiDrawArrays(
+    GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindVertexArray(0);
+  glDeleteVertexArrays(1, &arrays);
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowTriangleMaps::Declarations() const
+{
+  return "#define SHADOW_DEPTH_MAP_LAYERS " +
+    std::to_string(std::max(this->Places.size(), std::size_t(1))) + "\n";
+}
+
+bool vtkShadowTriangleMaps::TakeShaderChange()
+{
+  const bool changed = this->ShaderChanged;
+  this->ShaderChanged = false;
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::Activate()
+{
+  this->Numbers.Activate();
+  vtkOpenGLState* state = this->Window->GetState();
+  const unsigned int textures[2] = { this->Corners, this->Neighbours };
+  const GLenum formats[2] = { GL_RGBA32F, GL_RGBA32UI };
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Units[i] = state->GetTextureUnitManager()->Allocate();
+    if (this->Units[i] >= 0)
+    {
+      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Units[i]));
+      glBindTexture(GL_TEXTURE_BUFFER, textures[i]);
+      glTexBuffer(GL_TEXTURE_BUFFER, formats[i], this->Buffer);
+    }
+  }
+}
+
+void vtkShadowTriangleMaps::Deactivate()
+{
+  this->Numbers.Deactivate();
+  vtkOpenGLState* state = this->Window ? this->Window->GetState() : nullptr;
+  for (int& unit : this->Units)
+  {
+    if (unit >= 0 && state)
+    {
+      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(unit));
+      glBindTexture(GL_TEXTURE_BUFFER, 0);
+      state->GetTextureUnitManager()->Free(unit);
+    }
+    unit = -1;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::SetParameters(vtkShaderProgram* program) const
+{
+  program->SetUniformi("shadowDepthMapNumbers", this->Numbers.Unit());
+  program->SetUniformi("shadowDepthMapCorners", this->Units[0]);
+  program->SetUniformi("shadowDepthMapNeighbours", this->Units[1]);
+  std::vector<float> planes, depths, others;
+  for (const Place& place : this->Places)
+  {
+    planes.insert(planes.end(), place.Plane.begin(), place.Plane.end());
+    depths.insert(depths.end(), place.Depth.begin(), place.Depth.end());
+    others.insert(others.end(), place.Other.begin(), place.Other.end());
+  }
+  const int count = static_cast<int>(this->Places.size());
+  program->SetUniform4fv("shadowDepthMapPlanes", count, planes.data());
+  program->SetUniform4fv("shadowDepthMapDepths", count, depths.data());
+  program->SetUniform4fv("shadowDepthMapOthers", count, others.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::Release()
+{
+  this->Numbers.Release();
+  if (this->Buffer && this->Window)
+  {
+    this->Window->MakeCurrent();
+    glDeleteTextures(1, &this->Corners);
+    glDeleteTextures(1, &this->Neighbours);
+    glDeleteBuffers(1, &this->Buffer);
+  }
+  this->Buffer = 0;
+  this->Corners = 0;
+  this->Neighbours = 0;
+  this->Capacity = 0;
+  this->Parts.clear();
+  this->Window = nullptr;
+}

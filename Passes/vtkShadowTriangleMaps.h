@@ -1,0 +1,112 @@
+// Beside depth maps: which triangle each texel shows, and the triangles themselves as their light
+// sees them, each with its neighbours. What filter "exact" of vtkDepthShadowMapPass looks up.
+//
+// Casters of which every piece is triangles are drawn from here, by their numbers. Others
+// (impostors, lines, wireframes, textures with holes) are drawn by their mappers, under the number
+// 0: of those only the depth is known.
+#ifndef vtkShadowTriangleMaps_h
+#define vtkShadowTriangleMaps_h
+
+#include "LightTriangles.h"
+#include "vtkShadowByPiece.h"
+#include "vtkShadowMapViews.h"
+#include "vtkShadowTextureArray.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+
+class vtkShadowTriangleMaps
+{
+public:
+  vtkShadowTriangleMaps() = default;
+  ~vtkShadowTriangleMaps();
+  vtkShadowTriangleMaps(const vtkShadowTriangleMaps&) = delete;
+  void operator=(const vtkShadowTriangleMaps&) = delete;
+
+  // Room for the numbers of `layers` maps; true if what was in them is lost. IsReady() afterwards
+  // says whether there is memory for them.
+  bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int layers);
+  bool IsReady() const { return this->Numbers.Id() != 0; }
+
+  // Brings the triangles of all lights up to date, once their views have layers. What the driver
+  // cannot hold is drawn by the mappers; then GetFault() says so.
+  void Update(const vtkShadowFrame& frame, const vtkShadowMapViews& views);
+  const std::string& GetFault() const { return this->Fault; }
+
+  // Draws the casters of a view into its layers of `depths` and of the numbers. `plain`, casters of
+  // the view among the scene's props, are drawn by the caller, ahead of this: see PlainCasters.
+  void Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths, std::size_t slot,
+    const vtkShadowMapView& view, int width, int height);
+  std::vector<std::size_t> PlainCasters(const vtkShadowMapView& view) const;
+
+  // Grows when shaders must be written anew, with Declarations() ahead of the lookup's text.
+  std::string Declarations() const;
+  bool TakeShaderChange();
+  void Activate();
+  void Deactivate();
+  void SetParameters(vtkShaderProgram* program) const;
+
+  // Of the triangles, on both sides.
+  std::size_t MemoryInBytes() const;
+  void Release();
+
+private:
+  // The triangles of a piece, without edges but with neighbours.
+  struct Caster
+  {
+    bool IsTriangles = false;
+    vtkshadows::ShadowMesh<float> Mesh;
+    std::vector<vtkshadows::TriangleNeighbours> Neighbours;
+    glm::dmat4 ModelFromCaster{ 1.0 };
+  };
+  // The part of a prop in the list.
+  struct Range
+  {
+    std::size_t Prop = 0;
+    int First = 0, Count = 0; // triangles
+  };
+  // What the list has for a slot, and what that was made from.
+  struct Part
+  {
+    bool Known = false;
+    glm::dmat4 LightFromWorld{ 1.0 }; // its third axis is the depth before the light
+    vtkMTimeType CasterStamp = 0;
+    std::vector<std::size_t> Props;
+    std::size_t First = 0, Room = 0; // triangles
+    std::vector<Range> Ranges;
+  };
+  // A layer, as the lookup is told of it.
+  struct Place
+  {
+    std::array<float, 4> Plane{}; // texel of the axis, and units a texel, in x and y
+    std::array<float, 4> Depth{}; // where its depths begin, their range, and near and far plane
+    std::array<float, 4> Other{}; // face of the cube, depth of the list's zero, rise
+  };
+
+  Caster& CasterOf(const vtkShadowScene::Piece& piece);
+  bool IsTriangles(const vtkShadowScene::Prop& prop);
+  void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapSlot& slot, Part& part);
+  void UpdatePlaces(const vtkShadowMapViews& views);
+  static glm::dmat4 LightFromWorld(const vtkShadowMapSlot& slot, double& zeroDepth);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkShadowTextureArray Numbers;
+  vtkShadowByPiece<Caster> Casters;
+  std::vector<char> DrawnHere; // one a prop of this frame
+  std::vector<Part> Parts;     // one a slot
+  std::vector<Place> Places;   // one a layer
+  std::string Fault;
+  bool HasCubes = false;
+  bool ShaderChanged = false;
+  std::size_t Capacity = 0; // of the buffer, in triangles
+  unsigned int Buffer = 0, Corners = 0, Neighbours = 0;
+  int Units[2] = { -1, -1 };
+};
+
+#endif
