@@ -81,23 +81,26 @@ void LightTriangles::Write(LightCorner* corners, std::uint32_t first) const
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        points[i] =
-          glm::vec3(this->LightFromMesh * glm::dvec4(glm::dvec3(this->Mesh.points[i]), 1.0));
+        const glm::dvec4 p =
+          this->LightFromMesh * glm::dvec4(glm::dvec3(this->Mesh.points[i]), 1.0);
+        points[i] = glm::vec3(glm::dvec3(p) / p.w);
       }
     });
-  const auto beyond = [&](std::size_t triangle, int side) -> std::uint32_t
+  const auto beyond = [&](std::size_t triangle, int side)
   {
     const std::uint32_t neighbour = this->Neighbours[triangle][side];
     if (neighbour == NoTriangle)
     {
-      return 0;
+      return 0.0f;
     }
     const std::uint32_t other = neighbour & ~RunsAlike;
     // Turned toward the light, two neighbours have a side in opposite directions, unless one is
     // folded back over the other.
     const bool isFolded =
       (this->Signs[triangle] == this->Signs[other]) == ((neighbour & RunsAlike) != 0);
-    return this->Places[other] == NoTriangle || isFolded ? 0 : first + this->Places[other];
+    return this->Places[other] == NoTriangle || isFolded
+      ? 0.0f
+      : static_cast<float>(first + this->Places[other]);
   };
   ForEachBlock(this->Mesh.triangles.size(),
     [&](std::size_t, std::size_t begin, std::size_t end)

@@ -28,13 +28,16 @@ constexpr std::uint32_t NoTriangle = 0xffffffffu;
 std::vector<TriangleNeighbours> FindNeighbours(
   const EdgeTable& edges, std::size_t numberOfTriangles);
 
+// Numbers that a float holds.
+constexpr std::uint32_t MostLightTriangles = (1u << 24) - 1;
+
 // A corner of a triangle in the light's space.
 struct LightCorner
 {
   glm::vec3 position{ 0.0f };
-  // Number of the triangle beyond the side from here to the next corner; 0: none, or it is folded
-  // back, as it is at a silhouette.
-  std::uint32_t beyond = 0;
+  // Number of the triangle beyond the side from here to the next corner, at most
+  // MostLightTriangles; 0: none, or it is folded back, as it is at a silhouette.
+  float beyond = 0.0f;
 };
 
 // Lists the triangles of a mesh that cast, in two steps, so that they are written where they will
@@ -43,8 +46,9 @@ struct LightCorner
 class LightTriangles
 {
 public:
-  // The light is homogeneous, in the mesh's own coordinates. lightFromMesh: affine, to the light's
-  // space; `mirrored`: what is counter-clockwise in the mesh is clockwise in the world.
+  // The light is homogeneous, in the mesh's own coordinates. lightFromMesh: to the light's
+  // space, projective if need be (every point then has w > 0); `mirrored`: what is
+  // counter-clockwise in the mesh is clockwise in the world.
   LightTriangles(const ShadowMesh<float>& mesh, const std::vector<TriangleNeighbours>& neighbours,
     const glm::dmat4& lightFromMesh, const glm::dvec4& light, bool mirrored);
 

@@ -33,13 +33,6 @@ glm::dmat4 MapFromClip(int width, int height)
   return glm::scale(glm::translate(glm::dmat4(1.0), half), half);
 }
 
-// A share of a texel's width as depth, in a map of `width` texels, over w.
-double RiseIn(const LightView& view, int width)
-{
-  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
-  return RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
-}
-
 // What a receiver's depth is less by in a map of `width` texels, over w.
 //
 // First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
@@ -65,7 +58,9 @@ double DepthSlack(const glm::dmat4& map, const LightView& view, const glm::dmat4
   const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
   const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
   const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
-  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) + RiseIn(view, width);
+  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
+  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
+    RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
 }
 
 // From the eye's view coordinates to a map of width x height texels, all in double.
@@ -152,9 +147,9 @@ int vtkShadowMapViews::HeightOf(const LightView& view) const
   return TexelsOf(this->Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
 }
 
-double vtkShadowMapViews::RiseOf(const LightView& view) const
+glm::dmat4 vtkShadowMapViews::MapOf(const LightView& view) const
 {
-  return RiseIn(view, this->WidthOf(view));
+  return MapFromClip(this->WidthOf(view), this->HeightOf(view)) * view.clipFromView;
 }
 
 //------------------------------------------------------------------------------

@@ -90,15 +90,13 @@ public:
   // Six a cube.
   const std::vector<FaceParameters>& Faces() const { return this->CubeFaces; }
 
-  // What a receiver's depth is less by, beside the bound of its rounding: a share of a texel's own
-  // width, as depth.
-  double RiseOf(const vtkshadows::LightView& view) const;
-
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 
   // Texels of a view's map. They are square: its shorter side has fewer.
   int WidthOf(const vtkshadows::LightView& view) const;
   int HeightOf(const vtkshadows::LightView& view) const;
+  // From a view's coordinates to its map: texels, and depth from 0 to 1.
+  glm::dmat4 MapOf(const vtkshadows::LightView& view) const;
 
 private:
   struct Content

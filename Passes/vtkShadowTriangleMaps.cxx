@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 using vtkshadows::LightCorner;
 using vtkshadows::LightTriangles;
@@ -42,6 +43,30 @@ void RangeOf(const LightView& view, double& nearDepth, double& farDepth)
   const double scale = view.clipFromView[2][2], offset = view.clipFromView[3][2];
   nearDepth = view.parallel ? (1.0 + offset) / scale : offset / (scale - 1.0);
   farDepth = view.parallel ? (offset - 1.0) / scale : offset / (scale + 1.0);
+}
+
+// From texels and depths, 0 to 1, of a map.
+glm::dmat4 ClipFromMap(int width, int height)
+{
+  const glm::dmat4 scaled = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0 / width, 2.0 / height, 2.0));
+  return glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) * scaled;
+}
+
+// Whether a prop lies wholly before a light with a position, and not so near that a projection
+// overflows.
+bool IsBefore(const LightView& view, const vtkShadowScene::Prop& prop)
+{
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
+  for (const vtkShadowScene::Piece& piece : prop.Pieces)
+  {
+    for (const glm::dvec3& corner : piece.CornersWC)
+    {
+      const double depth = -(view.viewFromWorld * glm::dvec4(corner, 1.0)).z;
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
+    }
+  }
+  return nearest > 1e-4 * farthest;
 }
 
 }
@@ -98,18 +123,25 @@ bool vtkShadowTriangleMaps::IsTriangles(const vtkShadowScene::Prop& prop)
 }
 
 //------------------------------------------------------------------------------
-// Its third axis is the depth before the light less zeroDepth; for a cube, the cube's own axes.
-glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(const vtkShadowMapSlot& slot, double& zeroDepth)
+// The space that the corners are in. If each light has one map and stands before all that casts, it
+// is that map's own, texels and depths: then nothing more need be known in the lookup. Else its
+// third axis is the depth before the light, from the near plane on; for a cube it is the cube's
+// own.
+glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(
+  const vtkShadowMapViews& views, const vtkShadowMapSlot& slot) const
 {
-  zeroDepth = 0.0;
   if (slot.IsCube)
   {
     return slot.CubeFromWorld;
   }
   const LightView& view = slot.Views.front().View;
-  double farDepth = 0.0;
-  RangeOf(view, zeroDepth, farDepth);
-  return DepthFromView(zeroDepth) * view.viewFromWorld;
+  if (this->Written.Direct)
+  {
+    return views.MapOf(view) * view.viewFromWorld;
+  }
+  double nearDepth = 0.0, farDepth = 0.0;
+  RangeOf(view, nearDepth, farDepth);
+  return DepthFromView(nearDepth) * view.viewFromWorld;
 }
 
 //------------------------------------------------------------------------------
@@ -146,10 +178,12 @@ void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowM
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   this->Fault.clear();
-  if (3 * total > static_cast<std::size_t>(most))
+  const std::size_t limit =
+    std::min<std::size_t>(static_cast<std::size_t>(most) / 3, vtkshadows::MostLightTriangles);
+  if (total > limit)
   {
     this->Fault = std::to_string(total) + " triangles of all lights, more than the " +
-      std::to_string(most / 3) + " that this OpenGL driver takes at once";
+      std::to_string(limit) + " that it takes here";
     total = 0;
     std::fill(rooms.begin(), rooms.end(), std::size_t(0));
     std::fill(propsOf.begin(), propsOf.end(), std::vector<std::size_t>());
@@ -161,8 +195,7 @@ void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowM
     if (!this->Buffer)
     {
       glGenBuffers(1, &this->Buffer);
-      glGenTextures(1, &this->Corners);
-      glGenTextures(1, &this->Neighbours);
+      glGenTextures(1, &this->Texture);
     }
     glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
     glBufferData(GL_TEXTURE_BUFFER,
@@ -171,15 +204,12 @@ void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowM
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
   }
 
+  this->UpdateShape(props, views, propsOf);
   this->Parts.resize(propsOf.size());
   std::size_t first = 0;
   for (std::size_t i = 0; i < propsOf.size(); ++i)
   {
     Part& part = this->Parts[i];
-    for (const std::size_t prop : propsOf[i])
-    {
-      this->DrawnHere[prop] = 1;
-    }
     if (part.First != first || part.Room != rooms[i] || part.Props != propsOf[i])
     {
       part.Known = false;
@@ -188,22 +218,58 @@ void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowM
     part.Room = rooms[i];
     part.Props = propsOf[i];
     first += rooms[i];
-    this->UpdatePart(frame, views.GetSlots()[i], part);
+    this->UpdatePart(frame, views, views.GetSlots()[i], part);
   }
-  this->UpdatePlaces(views);
+  if (!this->Written.Direct)
+  {
+    this->UpdatePlaces(views);
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowTriangleMaps::UpdatePart(
-  const vtkShadowFrame& frame, const vtkShadowMapSlot& slot, Part& part)
+void vtkShadowTriangleMaps::UpdateShape(const std::vector<vtkShadowScene::Prop>& props,
+  const vtkShadowMapViews& views, const std::vector<std::vector<std::size_t>>& propsOf)
+{
+  for (const std::vector<std::size_t>& drawn : propsOf)
+  {
+    for (const std::size_t prop : drawn)
+    {
+      this->DrawnHere[prop] = 1;
+    }
+  }
+  Shape shape;
+  for (std::size_t i = 0; i < propsOf.size(); ++i)
+  {
+    const vtkShadowMapSlot& slot = views.GetSlots()[i];
+    shape.Direct = shape.Direct && !slot.IsCube && slot.Views.size() <= 1;
+    for (const vtkShadowMapView& view : slot.Views)
+    {
+      shape.Layers = std::max(shape.Layers, static_cast<std::size_t>(view.Layer) + 1);
+      shape.HasPlain = shape.HasPlain || !this->PlainCasters(view).empty();
+    }
+    if (shape.Direct && !slot.Views.empty() && !slot.Views.front().View.parallel)
+    {
+      for (const std::size_t prop : propsOf[i])
+      {
+        shape.Direct = shape.Direct && IsBefore(slot.Views.front().View, props[prop]);
+      }
+    }
+  }
+  shape.Layers = std::max(shape.Layers, this->Written.Layers);
+  this->ShaderChanged = this->ShaderChanged || !(shape == this->Written);
+  this->Written = shape;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapViews& views,
+  const vtkShadowMapSlot& slot, Part& part)
 {
   if (part.Room == 0)
   {
     part.Ranges.clear();
     return;
   }
-  double zeroDepth = 0.0;
-  const glm::dmat4 lightFromWorld = LightFromWorld(slot, zeroDepth);
+  const glm::dmat4 lightFromWorld = this->LightFromWorld(views, slot);
   const vtkMTimeType stamp = frame.Scene->GetCasterStamp();
   if (part.Known && part.CasterStamp == stamp && part.LightFromWorld == lightFromWorld)
   {
@@ -250,52 +316,41 @@ void vtkShadowTriangleMaps::UpdatePart(
 //------------------------------------------------------------------------------
 void vtkShadowTriangleMaps::UpdatePlaces(const vtkShadowMapViews& views)
 {
-  std::size_t layers = 1;
-  bool hasCubes = false;
+  this->Places.assign(this->Written.Layers, {});
   for (const vtkShadowMapSlot& slot : views.GetSlots())
   {
-    hasCubes = hasCubes || slot.IsCube;
-    for (const vtkShadowMapView& view : slot.Views)
+    for (const vtkShadowMapView& placed : slot.Views)
     {
-      layers = std::max(layers, static_cast<std::size_t>(view.Layer) + 1);
-    }
-  }
-  this->ShaderChanged = this->ShaderChanged || layers > this->Places.size();
-  this->Places.resize(std::max(layers, this->Places.size()));
-  for (const vtkShadowMapSlot& slot : views.GetSlots())
-  {
-    for (const vtkShadowMapView& view : slot.Views)
-    {
-      double zeroDepth = 0.0;
-      const glm::dmat4 lightFromWorld = LightFromWorld(slot, zeroDepth);
-      const glm::dmat4& clip = view.View.clipFromView;
-      const glm::dvec2 half = 0.5 * glm::dvec2(views.WidthOf(view.View), views.HeightOf(view.View));
+      const LightView& view = placed.View;
+      const glm::dmat4& clip = view.clipFromView;
+      const glm::dvec2 half = 0.5 * glm::dvec2(views.WidthOf(view), views.HeightOf(view));
       const glm::dvec2 perUnit = half * glm::dvec2(clip[0][0], clip[1][1]);
       glm::dvec2 axis = half *
-        (view.View.parallel ? glm::dvec2(1.0 + clip[3][0], 1.0 + clip[3][1])
-                            : glm::dvec2(1.0 - clip[2][0], 1.0 - clip[2][1]));
-      double nearDepth = 0.0, farDepth = 0.0;
-      RangeOf(view.View, nearDepth, farDepth);
-      double begin = nearDepth - zeroDepth;
-      if (view.View.parallel)
+        (view.parallel ? glm::dvec2(1.0 + clip[3][0], 1.0 + clip[3][1])
+                       : glm::dvec2(1.0 - clip[2][0], 1.0 - clip[2][1]));
+      double nearDepth = 0.0, farDepth = 0.0, zeroDepth = 0.0, begin = 0.0;
+      RangeOf(view, nearDepth, farDepth);
+      if (slot.IsCube)
+      {
+        begin = nearDepth;
+      }
+      else
       {
         // Views of one light differ by where they stand.
-        const glm::dvec3 moved(
-          (DepthFromView(zeroDepth) * view.View.viewFromWorld * glm::inverse(lightFromWorld))[3]);
+        RangeOf(slot.Views.front().View, zeroDepth, begin);
+        const glm::dvec3 moved((DepthFromView(zeroDepth) * view.viewFromWorld *
+          glm::inverse(this->LightFromWorld(views, slot)))[3]);
         axis += perUnit * glm::dvec2(moved);
-        begin -= moved.z;
+        begin = nearDepth - zeroDepth - moved.z;
       }
-      Place& place = this->Places[view.Layer];
+      Place& place = this->Places[placed.Layer];
       place.Plane = { static_cast<float>(axis.x), static_cast<float>(axis.y),
         static_cast<float>(1.0 / perUnit.x), static_cast<float>(1.0 / perUnit.y) };
       place.Depth = { static_cast<float>(begin), static_cast<float>(farDepth - nearDepth),
-        static_cast<float>(nearDepth), view.View.parallel ? 0.0f : static_cast<float>(farDepth) };
-      place.Other = { static_cast<float>(view.Face), static_cast<float>(zeroDepth),
-        static_cast<float>(views.RiseOf(view.View)), 0.0f };
+        static_cast<float>(nearDepth), view.parallel ? 0.0f : static_cast<float>(farDepth) };
+      place.Other = { static_cast<float>(placed.Face), static_cast<float>(zeroDepth) };
     }
   }
-  this->ShaderChanged = this->ShaderChanged || hasCubes != this->HasCubes;
-  this->HasCubes = hasCubes;
 }
 
 //------------------------------------------------------------------------------
@@ -333,8 +388,10 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
 
   vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
     vtkShadowTriangleMapsVS, vtkShadowTriangleMapsFS, "");
-  std::array<float, 16> clipFromLight = vtkShadowMatrix::ToFloats(
-    view.View.clipFromView * view.View.viewFromWorld * glm::inverse(part.LightFromWorld));
+  const glm::dmat4 clipFromWorld = view.View.clipFromView * view.View.viewFromWorld;
+  std::array<float, 16> clipFromLight = vtkShadowMatrix::ToFloats(this->Written.Direct
+      ? ClipFromMap(width, height)
+      : clipFromWorld * glm::inverse(part.LightFromWorld));
   program->SetUniformMatrix4x4("shadowClipFromLight", clipFromLight.data());
   // What lies before the near plane still casts.
   glEnable(GL_DEPTH_CLAMP);
@@ -357,8 +414,9 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
 //------------------------------------------------------------------------------
 std::string vtkShadowTriangleMaps::Declarations() const
 {
-  return "#define SHADOW_DEPTH_MAP_LAYERS " +
-    std::to_string(std::max(this->Places.size(), std::size_t(1))) + "\n";
+  return "#define SHADOW_DEPTH_MAP_LAYERS " + std::to_string(this->Written.Layers) + "\n" +
+    (this->Written.Direct ? "#define SHADOW_DEPTH_MAP_DIRECT\n" : "") +
+    (this->Written.HasPlain ? "#define SHADOW_DEPTH_MAP_PLAIN\n" : "");
 }
 
 bool vtkShadowTriangleMaps::TakeShaderChange()
@@ -373,42 +431,37 @@ void vtkShadowTriangleMaps::Activate()
 {
   this->Numbers.Activate();
   vtkOpenGLState* state = this->Window->GetState();
-  const unsigned int textures[2] = { this->Corners, this->Neighbours };
-  const GLenum formats[2] = { GL_RGBA32F, GL_RGBA32UI };
-  for (int i = 0; i < 2; ++i)
+  this->Unit = state->GetTextureUnitManager()->Allocate();
+  if (this->Unit >= 0)
   {
-    this->Units[i] = state->GetTextureUnitManager()->Allocate();
-    if (this->Units[i] >= 0)
-    {
-      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Units[i]));
-      glBindTexture(GL_TEXTURE_BUFFER, textures[i]);
-      glTexBuffer(GL_TEXTURE_BUFFER, formats[i], this->Buffer);
-    }
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
+    glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Buffer);
   }
 }
 
 void vtkShadowTriangleMaps::Deactivate()
 {
   this->Numbers.Deactivate();
-  vtkOpenGLState* state = this->Window ? this->Window->GetState() : nullptr;
-  for (int& unit : this->Units)
+  if (this->Unit >= 0 && this->Window)
   {
-    if (unit >= 0 && state)
-    {
-      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(unit));
-      glBindTexture(GL_TEXTURE_BUFFER, 0);
-      state->GetTextureUnitManager()->Free(unit);
-    }
-    unit = -1;
+    vtkOpenGLState* state = this->Window->GetState();
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    state->GetTextureUnitManager()->Free(this->Unit);
   }
+  this->Unit = -1;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowTriangleMaps::SetParameters(vtkShaderProgram* program) const
 {
   program->SetUniformi("shadowDepthMapNumbers", this->Numbers.Unit());
-  program->SetUniformi("shadowDepthMapCorners", this->Units[0]);
-  program->SetUniformi("shadowDepthMapNeighbours", this->Units[1]);
+  program->SetUniformi("shadowDepthMapCorners", this->Unit);
+  if (this->Written.Direct)
+  {
+    return;
+  }
   std::vector<float> planes, depths, others;
   for (const Place& place : this->Places)
   {
@@ -419,7 +472,7 @@ void vtkShadowTriangleMaps::SetParameters(vtkShaderProgram* program) const
   const int count = static_cast<int>(this->Places.size());
   program->SetUniform4fv("shadowDepthMapPlanes", count, planes.data());
   program->SetUniform4fv("shadowDepthMapDepths", count, depths.data());
-  program->SetUniform4fv("shadowDepthMapOthers", count, others.data());
+  program->SetUniform2fv("shadowDepthMapOthers", count, others.data());
 }
 
 //------------------------------------------------------------------------------
@@ -429,13 +482,11 @@ void vtkShadowTriangleMaps::Release()
   if (this->Buffer && this->Window)
   {
     this->Window->MakeCurrent();
-    glDeleteTextures(1, &this->Corners);
-    glDeleteTextures(1, &this->Neighbours);
+    glDeleteTextures(1, &this->Texture);
     glDeleteBuffers(1, &this->Buffer);
   }
   this->Buffer = 0;
-  this->Corners = 0;
-  this->Neighbours = 0;
+  this->Texture = 0;
   this->Capacity = 0;
   this->Parts.clear();
   this->Window = nullptr;

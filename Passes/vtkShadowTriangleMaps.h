@@ -75,7 +75,7 @@ private:
   struct Part
   {
     bool Known = false;
-    glm::dmat4 LightFromWorld{ 1.0 }; // its third axis is the depth before the light
+    glm::dmat4 LightFromWorld{ 1.0 };
     vtkMTimeType CasterStamp = 0;
     std::vector<std::size_t> Props;
     std::size_t First = 0, Room = 0; // triangles
@@ -86,14 +86,30 @@ private:
   {
     std::array<float, 4> Plane{}; // texel of the axis, and units a texel, in x and y
     std::array<float, 4> Depth{}; // where its depths begin, their range, and near and far plane
-    std::array<float, 4> Other{}; // face of the cube, depth of the list's zero, rise
+    std::array<float, 2> Other{}; // face of the cube, and the light's distance from depth 0
+  };
+  // What shaders are written with.
+  struct Shape
+  {
+    std::size_t Layers = 1;
+    bool Direct = true;
+    bool HasPlain = false;
+
+    bool operator==(const Shape& other) const
+    {
+      return this->Layers == other.Layers && this->Direct == other.Direct &&
+        this->HasPlain == other.HasPlain;
+    }
   };
 
   Caster& CasterOf(const vtkShadowScene::Piece& piece);
   bool IsTriangles(const vtkShadowScene::Prop& prop);
-  void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapSlot& slot, Part& part);
+  void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapViews& views,
+    const vtkShadowMapSlot& slot, Part& part);
+  void UpdateShape(const std::vector<vtkShadowScene::Prop>& props, const vtkShadowMapViews& views,
+    const std::vector<std::vector<std::size_t>>& propsOf);
   void UpdatePlaces(const vtkShadowMapViews& views);
-  static glm::dmat4 LightFromWorld(const vtkShadowMapSlot& slot, double& zeroDepth);
+  glm::dmat4 LightFromWorld(const vtkShadowMapViews& views, const vtkShadowMapSlot& slot) const;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowTextureArray Numbers;
@@ -102,11 +118,11 @@ private:
   std::vector<Part> Parts;     // one a slot
   std::vector<Place> Places;   // one a layer
   std::string Fault;
-  bool HasCubes = false;
+  Shape Written;
   bool ShaderChanged = false;
   std::size_t Capacity = 0; // of the buffer, in triangles
-  unsigned int Buffer = 0, Corners = 0, Neighbours = 0;
-  int Units[2] = { -1, -1 };
+  unsigned int Buffer = 0, Texture = 0;
+  int Unit = -1;
 };
 
 #endif

@@ -2,100 +2,95 @@
 // its centre; whether that surface reaches the receiver is found by walking over it, from triangle to
 // neighbouring triangle, on the straight line from the texel's centre to the receiver. See
 // vtkShadowTriangleMaps.h for what is in these textures, and Core/LightTriangles.h.
+//
+// A software rasteriser executes all of this for every fragment, and a loop at least once: so there is one loop
+// for all texels and steps, and what a frame does not need is left out by macros.
 
 uniform usampler2DArray shadowDepthMapNumbers;
-uniform samplerBuffer shadowDepthMapCorners;     // three a triangle, in its light's space
-uniform usamplerBuffer shadowDepthMapNeighbours; // the same texels: w is the triangle beyond a side
-uniform vec4 shadowDepthMapPlanes[SHADOW_DEPTH_MAP_LAYERS]; // texel of the axis; light units a texel
-uniform vec4 shadowDepthMapDepths[SHADOW_DEPTH_MAP_LAYERS]; // where depths begin, their range; near, far (or 0)
-uniform vec4 shadowDepthMapOthers[SHADOW_DEPTH_MAP_LAYERS]; // face of a cube; depth of the list's zero; rise
+uniform samplerBuffer shadowDepthMapCorners; // three a triangle; w: the triangle beyond the side that follows
 
 // Rasterisers move a vertex by up to half of 1/256 texel.
 const float shadowDepthMapSnap = 1.0 / 256.0;
-const int shadowDepthMapMostSteps = 24;
+const int shadowDepthMapMostSteps = 48; // of all walks of a receiver
+
+uvec4 shadowDepthMapGatherNumbers(int layer, vec2 corner)
+{
+#ifdef GL_ARB_texture_gather
+  const vec2 perTexel = 1.0 / vec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT);
+  return textureGather(shadowDepthMapNumbers, vec3(corner * perTexel, float(layer)));
+#else
+  const ivec2 last = ivec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT) - 1;
+  ivec2 high = clamp(ivec2(corner), ivec2(0), last);
+  ivec2 low = clamp(ivec2(corner) - 1, ivec2(0), last);
+  return uvec4(texelFetch(shadowDepthMapNumbers, ivec3(low.x, high.y, layer), 0).r,
+    texelFetch(shadowDepthMapNumbers, ivec3(high, layer), 0).r,
+    texelFetch(shadowDepthMapNumbers, ivec3(high.x, low.y, layer), 0).r,
+    texelFetch(shadowDepthMapNumbers, ivec3(low, layer), 0).r);
+#endif
+}
+
+// The ray from the light to the receiver.
+struct ShadowDepthMapRay
+{
+#ifdef SHADOW_DEPTH_MAP_DIRECT
+  vec2 place; // the corners are in the map's own space
+#else
+  int face;
+  vec2 place;    // where the ray is at the depth 0 of the corners' space
+  vec2 perDepth; // and how it moves from there
+  vec2 perTexel; // units a texel
+#endif
+  float depth;
+};
+
+// A corner: where it lies beside the ray, its depth, and what is beyond the side that follows.
+vec4 shadowDepthMapCorner(ShadowDepthMapRay ray, int texel)
+{
+  vec4 v = texelFetch(shadowDepthMapCorners, texel);
+#ifdef SHADOW_DEPTH_MAP_DIRECT
+  return vec4(v.xy - ray.place, v.zw);
+#else
+#ifdef SHADOW_DEPTH_MAP_CUBES
+  if (ray.face >= 0)
+  {
+    vec3 r = ray.face < 2 ? v.yzx : ray.face < 4 ? v.zxy : v.xyz;
+    float way = (ray.face & 1) == 0 ? 1.0 : -1.0;
+    v.xyz = vec3(-way * r.x, r.y, way * r.z);
+  }
+#endif
+  return vec4(v.xy - ray.place - ray.perDepth * v.z, v.zw);
+#endif
+}
+
+#ifdef SHADOW_DEPTH_MAP_DIRECT
+ShadowDepthMapRay shadowDepthMapRayTo(int layer, vec2 p, float z)
+{
+  return ShadowDepthMapRay(p, z);
+}
+#define SHADOW_DEPTH_MAP_FROM_TEXELS(ray, way) (way)
+#else
+uniform vec4 shadowDepthMapPlanes[SHADOW_DEPTH_MAP_LAYERS]; // texel of the axis; units a texel
+uniform vec4 shadowDepthMapDepths[SHADOW_DEPTH_MAP_LAYERS]; // where depths begin, their range; near, far (or 0)
+uniform vec2 shadowDepthMapOthers[SHADOW_DEPTH_MAP_LAYERS]; // face of a cube; the light's distance from depth 0
+
+ShadowDepthMapRay shadowDepthMapRayTo(int layer, vec2 p, float z)
+{
+  vec4 plane = shadowDepthMapPlanes[layer];
+  vec4 depths = shadowDepthMapDepths[layer];
+  vec2 other = shadowDepthMapOthers[layer];
+  vec2 place = (p - plane.xy) * plane.zw;
+  bool parallel = depths.w == 0.0;
+  float reach = z * depths.y;
+  float depth = z >= 1.0 ? 3.0e38 : depths.x + (parallel ? reach : depths.z * reach / (depths.w - reach));
+  return ShadowDepthMapRay(
+    int(other.x), parallel ? place : place * other.y, parallel ? vec2(0.0) : place, plane.zw, depth);
+}
+#define SHADOW_DEPTH_MAP_FROM_TEXELS(ray, way) ((way) * ray.perTexel)
+#endif
 
 float shadowDepthMapCross(vec2 a, vec2 b)
 {
   return a.x * b.y - a.y * b.x;
-}
-
-// A corner as seen from p: where it lies beside the ray from the light to p, and its depth.
-vec3 shadowDepthMapCorner(int texel, int face, vec2 base, vec2 perDepth)
-{
-  vec3 v = texelFetch(shadowDepthMapCorners, texel).xyz;
-#ifdef SHADOW_DEPTH_MAP_CUBES
-  if (face >= 0)
-  {
-    vec3 r = face < 2 ? v.yzx : face < 4 ? v.zxy : v;
-    float way = (face & 1) == 0 ? 1.0 : -1.0;
-    v = vec3(-way * r.x, r.y, way * r.z);
-  }
-#endif
-  return vec3(v.xy - base - perDepth * v.z, v.z);
-}
-
-struct ShadowDepthMapRay
-{
-  int face;
-  vec2 base;     // where it is at the depth 0 of the list
-  vec2 perDepth; // and how it moves from there
-  float depth;   // of the receiver, less its slack
-};
-
-// The depth of a triangle's plane where the ray meets it.
-float shadowDepthMapPlane(ShadowDepthMapRay ray, uint number)
-{
-  int texel = 3 * int(number - 1u);
-  vec3 a = shadowDepthMapCorner(texel, ray.face, ray.base, ray.perDepth);
-  vec3 b = shadowDepthMapCorner(texel + 1, ray.face, ray.base, ray.perDepth);
-  vec3 c = shadowDepthMapCorner(texel + 2, ray.face, ray.base, ray.perDepth);
-  vec3 weight = vec3(
-    shadowDepthMapCross(b.xy, c.xy), shadowDepthMapCross(c.xy, a.xy), shadowDepthMapCross(a.xy, b.xy));
-  return dot(weight, vec3(a.z, b.z, c.z)) / (weight.x + weight.y + weight.z);
-}
-
-// Whether the surface of triangle `number`, seen `start` beside the ray, reaches the ray ahead of the receiver.
-bool shadowDepthMapWalk(ShadowDepthMapRay ray, uint number, vec2 start)
-{
-  for (int walked = 0; walked < shadowDepthMapMostSteps; ++walked)
-  {
-    int texel = 3 * int(number - 1u);
-    vec3 a = shadowDepthMapCorner(texel, ray.face, ray.base, ray.perDepth);
-    vec3 b = shadowDepthMapCorner(texel + 1, ray.face, ray.base, ray.perDepth);
-    vec3 c = shadowDepthMapCorner(texel + 2, ray.face, ray.base, ray.perDepth);
-
-    // On which side of each side the ray passes; to a rounding, on it is within.
-    vec3 weight = vec3(
-      shadowDepthMapCross(b.xy, c.xy), shadowDepthMapCross(c.xy, a.xy), shadowDepthMapCross(a.xy, b.xy));
-    vec3 size = abs(a) + abs(b) + abs(c);
-    float rounding = 2.4e-7 * size.x * size.y;
-    if (min(min(weight.x, weight.y), weight.z) >= -rounding)
-    {
-      float area = weight.x + weight.y + weight.z;
-      return area > 0.0 && dot(weight, vec3(a.z, b.z, c.z)) < ray.depth * area;
-    }
-
-    // Left or right of the way from the start to the ray.
-    vec3 left = vec3(
-      shadowDepthMapCross(a.xy, start), shadowDepthMapCross(b.xy, start), shadowDepthMapCross(c.xy, start));
-    bvec3 isLeft = greaterThanEqual(left, vec3(0.0));
-    if (walked == 0 && (all(isLeft) || !any(isLeft)))
-    {
-      // Rounded beside it: begin in its middle.
-      start = (a.xy + b.xy + c.xy) / 3.0;
-      left = vec3(
-        shadowDepthMapCross(a.xy, start), shadowDepthMapCross(b.xy, start), shadowDepthMapCross(c.xy, start));
-      isLeft = greaterThanEqual(left, vec3(0.0));
-    }
-    // Counter-clockwise, the way leaves where the border goes from its right to its left.
-    int side = !isLeft.x && isLeft.y ? 0 : !isLeft.y && isLeft.z ? 1 : !isLeft.z && isLeft.x ? 2 : 3;
-    number = side < 3 ? texelFetch(shadowDepthMapNeighbours, texel + side).w : 0u;
-    if (number == 0u)
-    {
-      return false;
-    }
-  }
-  return false;
 }
 
 float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
@@ -104,61 +99,88 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   vec2 f = p.xy + 0.5 - corner;
   vec4 depth = shadowDepthMapGather(layer, corner);
 
-  // The receiver's plane at the four centres, without the share of a texel that p is less by.
-  vec4 other = shadowDepthMapOthers[layer];
-  vec4 depths = shadowDepthMapDepths[layer];
-  bool parallel = depths.w == 0.0;
-  float share = parallel ? other.z : other.z * max(depths.w - p.z * depths.y, 0.0) / (depths.w * depths.z);
-  float z = p.z + share - min(shadowDepthMapSnap * (abs(slope.x) + abs(slope.y)), 1.0);
+  // The receiver's plane at the four centres.
+  float z = p.z - min(shadowDepthMapSnap * (abs(slope.x) + abs(slope.y)), 1.0);
   float atCorner = z - dot(slope, f);
   vec4 receiver =
     vec4(atCorner + slope.y, atCorner + slope.x + slope.y, atCorner + slope.x, atCorner);
-  bvec4 hides = lessThan(depth, min(receiver, 1.0));
-  if (!any(hides))
-  {
-    return 1.0;
-  }
+  vec4 hides = vec4(lessThan(depth, min(receiver, 1.0)));
+  uvec4 number = shadowDepthMapGatherNumbers(layer, corner);
 
-  ivec2 low = ivec2(corner) - 1;
-  uvec4 number = uvec4(texelFetch(shadowDepthMapNumbers, ivec3(low + ivec2(0, 1), layer), 0).r,
-    texelFetch(shadowDepthMapNumbers, ivec3(low + ivec2(1, 1), layer), 0).r,
-    texelFetch(shadowDepthMapNumbers, ivec3(low + ivec2(1, 0), layer), 0).r,
-    texelFetch(shadowDepthMapNumbers, ivec3(low, layer), 0).r);
-  if (dot(vec4(hides), vec4(equal(number, uvec4(0u)))) > 0.0)
+  // The nearest of the texels that hide it comes first.
+  vec2 g = 1.0 - f;
+  vec4 rank = hides * (0.001 + vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y));
+  ShadowDepthMapRay ray = shadowDepthMapRayTo(layer, p.xy, z);
+  float lit = 1.0;
+  uint at = 0u;
+  vec2 start = vec2(0.0);
+  bool isFirst = true;
+  for (int walked = 0; walked < shadowDepthMapMostSteps; ++walked)
   {
-    // Nothing but a depth is known of what hides it.
-    return shadowDepthMapBlend(depth, p, slope, f);
-  }
-
-  vec4 plane = shadowDepthMapPlanes[layer];
-  vec2 there = (p.xy - plane.xy) * plane.zw;
-  float reach = z * depths.y;
-  ShadowDepthMapRay ray;
-  ray.face = int(other.x);
-  ray.base = parallel ? there : there * other.y;
-  ray.perDepth = parallel ? vec2(0.0) : there;
-  ray.depth = z >= 1.0 ? 3.0e38 : depths.x + (parallel ? reach : depths.z * reach / (depths.w - reach));
-
-  // The nearest texel first.
-  ivec4 order = f.x < 0.5 ? (f.y < 0.5 ? ivec4(3, 2, 0, 1) : ivec4(0, 1, 3, 2))
-                          : (f.y < 0.5 ? ivec4(2, 3, 1, 0) : ivec4(1, 0, 2, 3));
-  for (int i = 0; i < 4; ++i)
-  {
-    int texel = order[i];
-    vec2 centre = vec2(texel == 1 || texel == 2 ? 1.0 : 0.0, texel < 2 ? 1.0 : 0.0);
-    if (hides[texel] && shadowDepthMapWalk(ray, number[texel], (centre - f) * plane.zw))
+    if (at == 0u)
     {
-      return 0.0;
+      // Take the next texel.
+      float best = max(max(rank.x, rank.y), max(rank.z, rank.w));
+      if (best == 0.0)
+      {
+        break;
+      }
+      bvec4 chosen = equal(rank, vec4(best));
+      vec2 centre = chosen.x ? vec2(0.0, 1.0) : chosen.y ? vec2(1.0) : chosen.z ? vec2(1.0, 0.0) : vec2(0.0);
+      at = chosen.x ? number.x : chosen.y ? number.y : chosen.z ? number.z : number.w;
+      rank = chosen.x ? vec4(0.0, rank.yzw)
+        : chosen.y    ? vec4(rank.x, 0.0, rank.zw)
+        : chosen.z    ? vec4(rank.xy, 0.0, rank.w)
+                      : vec4(rank.xyz, 0.0);
+      start = SHADOW_DEPTH_MAP_FROM_TEXELS(ray, centre - f);
+      isFirst = true;
     }
-  }
+    int texel = 3 * int(at) - 3;
+    vec4 a = shadowDepthMapCorner(ray, texel);
+    vec4 b = shadowDepthMapCorner(ray, texel + 1);
+    vec4 c = shadowDepthMapCorner(ray, texel + 2);
 
-  // No surface reaches it that was seen. Where all four hide it, and go on to do so, one may be too thin to
-  // have been.
-  if (all(hides))
-  {
-    vec4 beyond = vec4(shadowDepthMapPlane(ray, number.x), shadowDepthMapPlane(ray, number.y),
-      shadowDepthMapPlane(ray, number.z), shadowDepthMapPlane(ray, number.w));
-    return all(lessThan(beyond, vec4(ray.depth))) ? 0.0 : 1.0;
+    // On which side of each side the ray passes; to a rounding, on it is within.
+    vec3 weight = vec3(
+      shadowDepthMapCross(b.xy, c.xy), shadowDepthMapCross(c.xy, a.xy), shadowDepthMapCross(a.xy, b.xy));
+    vec2 size = abs(a.xy) + abs(b.xy) + abs(c.xy);
+    if (min(min(weight.x, weight.y), weight.z) >= -2.4e-7 * size.x * size.y)
+    {
+      if (dot(weight, vec3(a.z, b.z, c.z)) < ray.depth * (weight.x + weight.y + weight.z))
+      {
+        lit = 0.0;
+        break;
+      }
+      at = 0u;
+      continue;
+    }
+
+    // Left or right of the way from the start to the ray: counter-clockwise, the way leaves the triangle where
+    // its border goes from the right to the left.
+    vec3 left = vec3(
+      shadowDepthMapCross(a.xy, start), shadowDepthMapCross(b.xy, start), shadowDepthMapCross(c.xy, start));
+    if (isFirst && (min(min(left.x, left.y), left.z) >= 0.0 || max(max(left.x, left.y), left.z) < 0.0))
+    {
+      // The texel's centre is rounded beside it: start in its middle.
+      start = (a.xy + b.xy + c.xy) / 3.0;
+      left = vec3(
+        shadowDepthMapCross(a.xy, start), shadowDepthMapCross(b.xy, start), shadowDepthMapCross(c.xy, start));
+    }
+    isFirst = false;
+    float beyond = left.x < 0.0 && left.y >= 0.0 ? a.w
+      : left.y < 0.0 && left.z >= 0.0            ? b.w
+      : left.z < 0.0 && left.x >= 0.0            ? c.w
+                                                 : 0.0;
+    at = uint(beyond);
   }
-  return 1.0;
+  // Where no surface reached it that was seen, and all four texels hide it by more than a surface through it
+  // would, there is one too thin to have been seen.
+  float apart = 0.5 * (abs(slope.x) + abs(slope.y));
+  lit = all(lessThan(depth, min(receiver - apart, 1.0))) ? 0.0 : lit;
+#ifdef SHADOW_DEPTH_MAP_PLAIN
+  // Of what was drawn under no number, nothing but the depth is known.
+  bool isPlain = dot(hides, vec4(equal(number, uvec4(0u)))) > 0.0;
+  lit = isPlain ? min(lit, shadowDepthMapBlend(depth, p, slope, f)) : lit;
+#endif
+  return lit;
 }
