@@ -107,11 +107,14 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   vec4 hides = vec4(lessThan(depth, min(receiver, 1.0)));
   uvec4 number = shadowDepthMapGatherNumbers(layer, corner);
 
-  // The nearest of the texels that hide it comes first.
+  // Where all four texels hide it by more than a surface through it would, it is in shadow, if only of one too thin
+  // to be followed. Else the nearest of those that hide it comes first.
+  float apart = 0.5 * (abs(slope.x) + abs(slope.y));
+  bool isHidden = all(lessThan(depth, min(receiver - apart, 1.0)));
   vec2 g = 1.0 - f;
-  vec4 rank = hides * (0.001 + vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y));
+  vec4 rank = isHidden ? vec4(0.0) : hides * (0.001 + vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y));
   ShadowDepthMapRay ray = shadowDepthMapRayTo(layer, p.xy, z);
-  float lit = 1.0;
+  float lit = isHidden ? 0.0 : 1.0;
   uint at = 0u;
   vec2 start = vec2(0.0);
   bool isFirst = true;
@@ -173,10 +176,6 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
                                                  : 0.0;
     at = uint(beyond);
   }
-  // Where no surface reached it that was seen, and all four texels hide it by more than a surface through it
-  // would, there is one too thin to have been seen.
-  float apart = 0.5 * (abs(slope.x) + abs(slope.y));
-  lit = all(lessThan(depth, min(receiver - apart, 1.0))) ? 0.0 : lit;
 #ifdef SHADOW_DEPTH_MAP_PLAIN
   // Of what was drawn under no number, nothing but the depth is known.
   bool isPlain = dot(hides, vec4(equal(number, uvec4(0u)))) > 0.0;
