@@ -3,31 +3,15 @@
 // neighbouring triangle, on the straight line from the texel's centre to the receiver. See
 // vtkShadowTriangleMaps.h for what is in these textures, and Core/LightTriangles.h.
 //
-// A software rasteriser executes all of this for every fragment, and a loop at least once: so there is one loop
-// for all texels and steps, and what a frame does not need is left out by macros.
+// A software rasteriser executes all of this for every fragment, and each loop at least once: what a frame does
+// not need is left out by macros, and a loop leaves by one condition.
 
 uniform usampler2DArray shadowDepthMapNumbers;
 uniform samplerBuffer shadowDepthMapCorners; // three a triangle; w: the triangle beyond the side that follows
 
 // Rasterisers move a vertex by up to half of 1/256 texel.
 const float shadowDepthMapSnap = 1.0 / 256.0;
-const int shadowDepthMapMostSteps = 48; // of all walks of a receiver
-
-uvec4 shadowDepthMapGatherNumbers(int layer, vec2 corner)
-{
-#ifdef GL_ARB_texture_gather
-  const vec2 perTexel = 1.0 / vec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT);
-  return textureGather(shadowDepthMapNumbers, vec3(corner * perTexel, float(layer)));
-#else
-  const ivec2 last = ivec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT) - 1;
-  ivec2 high = clamp(ivec2(corner), ivec2(0), last);
-  ivec2 low = clamp(ivec2(corner) - 1, ivec2(0), last);
-  return uvec4(texelFetch(shadowDepthMapNumbers, ivec3(low.x, high.y, layer), 0).r,
-    texelFetch(shadowDepthMapNumbers, ivec3(high, layer), 0).r,
-    texelFetch(shadowDepthMapNumbers, ivec3(high.x, low.y, layer), 0).r,
-    texelFetch(shadowDepthMapNumbers, ivec3(low, layer), 0).r);
-#endif
-}
+const int shadowDepthMapMostSteps = 24;
 
 // The ray from the light to the receiver.
 struct ShadowDepthMapRay
@@ -105,80 +89,75 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   vec4 receiver =
     vec4(atCorner + slope.y, atCorner + slope.x + slope.y, atCorner + slope.x, atCorner);
   vec4 hides = vec4(lessThan(depth, min(receiver, 1.0)));
-  uvec4 number = shadowDepthMapGatherNumbers(layer, corner);
 
   // Where all four texels hide it by more than a surface through it would, it is in shadow, if only of one too thin
   // to be followed. Else the nearest of those that hide it comes first.
   float apart = 0.5 * (abs(slope.x) + abs(slope.y));
   bool isHidden = all(lessThan(depth, min(receiver - apart, 1.0)));
   vec2 g = 1.0 - f;
-  vec4 rank = isHidden ? vec4(0.0) : hides * (0.001 + vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y));
+  const vec4 tieBreak = vec4(0.0012, 0.0014, 0.0016, 0.0018);
+  vec4 rank = hides * (tieBreak + vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y));
+#ifdef SHADOW_DEPTH_MAP_PLAIN
+  bool isPlain = false;
+#else
+  rank *= isHidden ? 0.0 : 1.0;
+#endif
   ShadowDepthMapRay ray = shadowDepthMapRayTo(layer, p.xy, z);
   float lit = isHidden ? 0.0 : 1.0;
-  uint at = 0u;
-  vec2 start = vec2(0.0);
-  bool isFirst = true;
-  for (int walked = 0; walked < shadowDepthMapMostSteps; ++walked)
+  float best = max(max(rank.x, rank.y), max(rank.z, rank.w));
+  for (int tried = 0; tried < 4; ++tried)
   {
-    if (at == 0u)
-    {
-      // Take the next texel.
-      float best = max(max(rank.x, rank.y), max(rank.z, rank.w));
-      if (best == 0.0)
-      {
-        break;
-      }
-      bvec4 chosen = equal(rank, vec4(best));
-      vec2 centre = chosen.x ? vec2(0.0, 1.0) : chosen.y ? vec2(1.0) : chosen.z ? vec2(1.0, 0.0) : vec2(0.0);
-      at = chosen.x ? number.x : chosen.y ? number.y : chosen.z ? number.z : number.w;
-      rank = chosen.x ? vec4(0.0, rank.yzw)
-        : chosen.y    ? vec4(rank.x, 0.0, rank.zw)
-        : chosen.z    ? vec4(rank.xy, 0.0, rank.w)
-                      : vec4(rank.xyz, 0.0);
-      start = SHADOW_DEPTH_MAP_FROM_TEXELS(ray, centre - f);
-      isFirst = true;
-    }
-    int texel = 3 * int(at) - 3;
-    vec4 a = shadowDepthMapCorner(ray, texel);
-    vec4 b = shadowDepthMapCorner(ray, texel + 1);
-    vec4 c = shadowDepthMapCorner(ray, texel + 2);
+    // Where there is none to try, what is executed nevertheless finds its texel in the cache.
+    bvec4 chosen = equal(rank, vec4(best));
+    vec2 centre = vec2(chosen.y || chosen.z ? 1.0 : 0.0, chosen.x || chosen.y ? 1.0 : 0.0);
+    ivec2 place = best > 0.0 ? ivec2(corner + centre) - 1 : ivec2(0);
+    uint at = texelFetch(shadowDepthMapNumbers, ivec3(place, layer), 0).r;
+    at = best > 0.0 ? at : 0u;
+    vec2 start = SHADOW_DEPTH_MAP_FROM_TEXELS(ray, centre - f);
+#ifdef SHADOW_DEPTH_MAP_PLAIN
+    isPlain = isPlain || (best > 0.0 && at == 0u);
+#endif
+    // A texel whose depth is that of the same surface need not be tried after it: see shadowDepthMapBlend.
+    rank *= vec4(greaterThan(abs(depth - dot(depth, vec4(chosen))), vec4(8.0 * apart)));
+    best = max(max(rank.x, rank.y), max(rank.z, rank.w));
 
-    // On which side of each side the ray passes; to a rounding, on it is within.
-    vec3 weight = vec3(
-      shadowDepthMapCross(b.xy, c.xy), shadowDepthMapCross(c.xy, a.xy), shadowDepthMapCross(a.xy, b.xy));
-    vec2 size = abs(a.xy) + abs(b.xy) + abs(c.xy);
-    if (min(min(weight.x, weight.y), weight.z) >= -2.4e-7 * size.x * size.y)
+    // From triangle to triangle, to the one that the ray passes through.
+    for (int walked = 0; walked < shadowDepthMapMostSteps; ++walked)
     {
-      if (dot(weight, vec3(a.z, b.z, c.z)) < ray.depth * (weight.x + weight.y + weight.z))
-      {
-        lit = 0.0;
-        break;
-      }
-      at = 0u;
-      continue;
-    }
-
-    // Left or right of the way from the start to the ray: counter-clockwise, the way leaves the triangle where
-    // its border goes from the right to the left.
-    vec3 left = vec3(
-      shadowDepthMapCross(a.xy, start), shadowDepthMapCross(b.xy, start), shadowDepthMapCross(c.xy, start));
-    if (isFirst && (min(min(left.x, left.y), left.z) >= 0.0 || max(max(left.x, left.y), left.z) < 0.0))
-    {
-      // The texel's centre is rounded beside it: start in its middle.
-      start = (a.xy + b.xy + c.xy) / 3.0;
-      left = vec3(
+      int texel = max(3 * int(at) - 3, 0);
+      vec4 a = shadowDepthMapCorner(ray, texel);
+      vec4 b = shadowDepthMapCorner(ray, texel + 1);
+      vec4 c = shadowDepthMapCorner(ray, texel + 2);
+      // On which side of each side the ray passes; to a rounding, on it is within.
+      vec3 weight = vec3(
+        shadowDepthMapCross(b.xy, c.xy), shadowDepthMapCross(c.xy, a.xy), shadowDepthMapCross(a.xy, b.xy));
+      vec2 size = abs(a.xy) + abs(b.xy) + abs(c.xy);
+      bool isWithin = min(min(weight.x, weight.y), weight.z) >= -2.4e-7 * size.x * size.y;
+      bool isHit = isWithin && at != 0u &&
+        dot(weight, vec3(a.z, b.z, c.z)) < ray.depth * (weight.x + weight.y + weight.z);
+      // Left or right of the way from the start to the ray: counter-clockwise, the way leaves the triangle
+      // where its border goes from the right to the left.
+      vec3 left = vec3(
         shadowDepthMapCross(a.xy, start), shadowDepthMapCross(b.xy, start), shadowDepthMapCross(c.xy, start));
+      float beyond = left.x < 0.0 && left.y >= 0.0 ? a.w
+        : left.y < 0.0 && left.z >= 0.0            ? b.w
+        : left.z < 0.0 && left.x >= 0.0            ? c.w
+                                                   : 0.0;
+      lit = isHit ? 0.0 : lit;
+      at = isWithin || at == 0u ? 0u : uint(beyond);
+      if (at == 0u)
+      {
+        break;
+      }
     }
-    isFirst = false;
-    float beyond = left.x < 0.0 && left.y >= 0.0 ? a.w
-      : left.y < 0.0 && left.z >= 0.0            ? b.w
-      : left.z < 0.0 && left.x >= 0.0            ? c.w
-                                                 : 0.0;
-    at = uint(beyond);
+    if (lit == 0.0 || best == 0.0)
+    {
+      break;
+    }
   }
 #ifdef SHADOW_DEPTH_MAP_PLAIN
   // Of what was drawn under no number, nothing but the depth is known.
-  bool isPlain = dot(hides, vec4(equal(number, uvec4(0u)))) > 0.0;
+  lit = isHidden && !isPlain ? 0.0 : lit;
   lit = isPlain ? min(lit, shadowDepthMapBlend(depth, p, slope, f)) : lit;
 #endif
   return lit;
