@@ -120,7 +120,10 @@ void vtkDepthShadowMapPass::BeginMaps(const vtkShadowFrame& frame)
   my.HiddenFaces.BeginFrame(frame.Scene->GetProps());
   if (this->Filter == EXACT)
   {
-    my.Triangles.Update(frame, this->GetViews());
+    for (const std::size_t slot : my.Triangles.Update(frame, this->GetViews()))
+    {
+      this->ForgetMaps(slot);
+    }
     const std::string& fault = my.Triangles.GetFault();
     this->WarnOnce(&my.Triangles,
       fault.empty() ? fault

@@ -100,6 +100,11 @@ void vtkMapShadowPass::ForgetMaps()
   this->Views->ForgetLayers();
 }
 
+void vtkMapShadowPass::ForgetMaps(std::size_t slot)
+{
+  this->Views->MarkStale(slot);
+}
+
 //------------------------------------------------------------------------------
 std::string vtkMapShadowPass::GetLookupDeclarations() const
 {

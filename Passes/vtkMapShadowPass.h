@@ -99,9 +99,10 @@ protected:
   const vtkShadowMapViews& GetViews() const { return *this->Views; }
 
   /**
-   * Draw every map again, whatever changed.
+   * Draw every map again, whatever changed; or those of a slot, once BeginMaps is called.
    */
   void ForgetMaps();
+  void ForgetMaps(std::size_t slot);
 
   /**
    * Say that shaders must be written anew, with other declarations.

@@ -230,6 +230,15 @@ void vtkShadowMapViews::Place(int layers)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowMapViews::MarkStale(std::size_t slot)
+{
+  for (const vtkShadowMapView& view : this->Slots[slot].Views)
+  {
+    this->Drawn[view.Layer].Known = false;
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowMapViews::LayerBefore(std::size_t slot, int face) const
 {
   if (slot < this->SlotsBefore.size())

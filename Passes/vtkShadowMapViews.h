@@ -63,6 +63,9 @@ public:
   // What the layers held is lost.
   void ForgetLayers() { this->Drawn.clear(); }
 
+  // The maps of a slot's placed views are drawn again, whatever they are of.
+  void MarkStale(std::size_t slot);
+
   // Calls draw(slot, view) for each view whose layer does not hold its map.
   template <typename Draw>
   void DrawStale(const Draw& draw)

@@ -145,7 +145,8 @@ glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowMapViews& views)
+std::vector<std::size_t> vtkShadowTriangleMaps::Update(
+  const vtkShadowFrame& frame, const vtkShadowMapViews& views)
 {
   const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
   this->Casters.BeginFrame(props);
@@ -206,14 +207,22 @@ void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowM
 
   this->UpdateShape(props, views, propsOf);
   this->Parts.resize(propsOf.size());
+  std::vector<std::size_t> renumbered;
   std::size_t first = 0;
   for (std::size_t i = 0; i < propsOf.size(); ++i)
   {
     Part& part = this->Parts[i];
-    if (part.First != first || part.Room != rooms[i] || part.Props != propsOf[i])
+    const glm::dvec4 light = vtkshadows::HomogeneousLight(views.GetSlots()[i].Light);
+    if (part.First != first || part.Room != rooms[i] || part.Props != propsOf[i] ||
+      part.Light != light)
     {
       part.Known = false;
     }
+    if (!part.Known)
+    {
+      renumbered.push_back(i);
+    }
+    part.Light = light;
     part.First = first;
     part.Room = rooms[i];
     part.Props = propsOf[i];
@@ -224,6 +233,7 @@ void vtkShadowTriangleMaps::Update(const vtkShadowFrame& frame, const vtkShadowM
   {
     this->UpdatePlaces(views);
   }
+  return renumbered;
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +288,6 @@ void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkSha
   part.CasterStamp = stamp;
   part.LightFromWorld = lightFromWorld;
   part.Ranges.clear();
-  const glm::dvec4 light = vtkshadows::HomogeneousLight(slot.Light);
 
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
   const auto bytes = static_cast<GLsizeiptr>(3 * part.Room * sizeof(LightCorner));
@@ -296,7 +305,7 @@ void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkSha
       const Caster& caster = this->CasterOf(piece);
       const glm::dmat4 worldFromCaster = piece.WorldFromModel * caster.ModelFromCaster;
       const LightTriangles triangles(caster.Mesh, caster.Neighbours,
-        lightFromWorld * worldFromCaster, glm::inverse(worldFromCaster) * light,
+        lightFromWorld * worldFromCaster, glm::inverse(worldFromCaster) * part.Light,
         glm::determinant(glm::dmat3(worldFromCaster)) < 0.0);
       if (corners)
       {

@@ -35,8 +35,9 @@ public:
   bool IsReady() const { return this->Numbers.Id() != 0; }
 
   // Brings the triangles of all lights up to date, once their views have layers. What the driver
-  // cannot hold is drawn by the mappers; then GetFault() says so.
-  void Update(const vtkShadowFrame& frame, const vtkShadowMapViews& views);
+  // cannot hold is drawn by the mappers; then GetFault() says so. Slots whose triangles have other
+  // numbers than before: their maps must be drawn again.
+  std::vector<std::size_t> Update(const vtkShadowFrame& frame, const vtkShadowMapViews& views);
   const std::string& GetFault() const { return this->Fault; }
 
   // Draws the casters of a view into its layers of `depths` and of the numbers. `plain`, casters of
@@ -75,6 +76,7 @@ private:
   struct Part
   {
     bool Known = false;
+    glm::dvec4 Light{ 0.0 }; // homogeneous
     glm::dmat4 LightFromWorld{ 1.0 };
     vtkMTimeType CasterStamp = 0;
     std::vector<std::size_t> Props;
