@@ -66,6 +66,8 @@ struct LightSettings
   std::string Technique; // empty: the default one
   double Strength = 1.0;
   double Radius = 0.0;
+  double MaximumDistance = 0.0; // 0: any
+  double Fade = 0.1;
 };
 
 // Bring a renderer's window and its props into a render state outside of a frame.
@@ -315,6 +317,8 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
     vtkShadowedShadingPass::LightPlan entry;
     entry.Light = &lights[i].Ray;
     entry.Strength = static_cast<float>(withStrength ? settings.Strength : 1.0);
+    entry.MaximumDistance = static_cast<float>(withStrength ? settings.MaximumDistance : 0.0);
+    entry.Fade = static_cast<float>(settings.Fade);
     if (anyCaster && anyReceiver && !lights[i].AtEye && entry.Strength > 0.0f)
     {
       entry.Technique = this->Find(settings.Technique.empty() ? this->Default : settings.Technique);
@@ -634,6 +638,64 @@ void vtkShadowPass::SetLightRadius(vtkLight* light, double radius)
 double vtkShadowPass::GetLightRadius(vtkLight* light) const
 {
   return this->Internal->SettingsOf(light).Radius;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightMaximumDistance(vtkLight* light, double distance)
+{
+  if (!light || !std::isfinite(distance) || distance < 0.0)
+  {
+    vtkErrorMacro("SetLightMaximumDistance("
+      << light << ", " << distance
+      << "): give a vtkLight and a distance in world units, or 0 for no limit.");
+    return;
+  }
+  this->Internal->EditSettings(light).MaximumDistance = distance;
+  this->Modified();
+}
+
+double vtkShadowPass::GetLightMaximumDistance(vtkLight* light) const
+{
+  return this->Internal->SettingsOf(light).MaximumDistance;
+}
+
+void vtkShadowPass::SetLightFade(vtkLight* light, double fade)
+{
+  if (!light || !(fade >= 0.0 && fade <= 1.0))
+  {
+    vtkErrorMacro("SetLightFade(" << light << ", " << fade
+                                  << "): give a vtkLight and a share of its distance, 0 to 1.");
+    return;
+  }
+  this->Internal->EditSettings(light).Fade = fade;
+  this->Modified();
+}
+
+double vtkShadowPass::GetLightFade(vtkLight* light) const
+{
+  return this->Internal->SettingsOf(light).Fade;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetTranslucentCasting(int how)
+{
+  if (how < TRANSLUCENT_NONE || how > TRANSLUCENT_STOCHASTIC)
+  {
+    vtkErrorMacro("TranslucentCasting "
+      << how << " is none of vtkShadowPass::TranslucentCastingType (0 to " << TRANSLUCENT_STOCHASTIC
+      << "). It stays " << this->GetTranslucentCasting() << ".");
+    return;
+  }
+  if (how != this->GetTranslucentCasting())
+  {
+    this->Internal->Scene->SetTranslucentCasting(how);
+    this->Modified();
+  }
+}
+
+int vtkShadowPass::GetTranslucentCasting() const
+{
+  return this->Internal->Scene->GetTranslucentCasting();
 }
 
 //------------------------------------------------------------------------------

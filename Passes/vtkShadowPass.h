@@ -117,8 +117,21 @@ public:
   double GetLightRadius(vtkLight* light) const;
   ///@}
 
+  ///@{
   /**
-   * Forget technique, strength and radius of one light (nullptr: of all).
+   * How far from the eye the shadows of one light reach, in world units; 0 (default): however far.
+   * Up to `fade` of that distance, 0 to 1 (default 0.1), before its end they fade out; beyond it
+   * the light is lit. Like strength it is no part of the visibility that is read back. Negative
+   * values, and what is not finite, are errors and change nothing.
+   */
+  void SetLightMaximumDistance(vtkLight* light, double distance);
+  double GetLightMaximumDistance(vtkLight* light) const;
+  void SetLightFade(vtkLight* light, double fade);
+  double GetLightFade(vtkLight* light) const;
+  ///@}
+
+  /**
+   * Forget technique, strength, radius, distance and fade of one light (nullptr: of all).
    */
   void ClearLightSettings(vtkLight* light);
 
@@ -195,6 +208,27 @@ public:
    * vtkRayCastShadowPass::GetTraceSeconds against. 0 without Embree or without casters.
    */
   double TimeBareTracing(vtkRenderer* renderer);
+
+  enum TranslucentCastingType
+  {
+    TRANSLUCENT_NONE = 0,   // they cast nothing
+    TRANSLUCENT_OPAQUE = 1, // as if they were opaque
+    TRANSLUCENT_STOCHASTIC =
+      2 // by opacity: in maps and flattened shadows each texel holds or lets through
+  };
+
+  ///@{
+  /**
+   * How translucent props cast that have no key CASTS_SHADOWS: one of TranslucentCastingType
+   * (default TRANSLUCENT_NONE). TRANSLUCENT_STOCHASTIC goes for all that cast, and is told by
+   * "depth-map" and the other techniques that draw casters: of a prop of the opacity 0.3 three
+   * texels in ten cast, in a fixed pattern that a wide filter smooths (screen-door transparency;
+   * Enderton et al. 2010). The others, "stencil-volume" and "ray-cast", cast as if it were opaque.
+   * Another value is an error and changes nothing.
+   */
+  void SetTranslucentCasting(int how);
+  int GetTranslucentCasting() const;
+  ///@}
 
   /**
    * What the last frame saw: lights, casters, receivers.

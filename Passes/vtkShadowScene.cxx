@@ -314,6 +314,7 @@ public:
   std::vector<Prop> Props;
   std::map<vtkMapper*, KnownPlane> Planes;
   std::vector<std::uint64_t> CasterSignature;
+  int TranslucentCasting = vtkShadowPass::TRANSLUCENT_NONE;
   vtkTimeStamp CasterTime;
   std::set<vtkProp*> Unbounded, UnboundedBefore; // of this frame, and of the last
   std::map<vtkProp*, StandIn> StandIns;          // by the prop that has it
@@ -471,7 +472,9 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
     }
     // A follower is a label: it turns with the eye.
     const int isScenery = source->IsA("vtkFollower") ? 0 : 1;
-    prop.Casts = KeyOr(source, vtkShadowPass::CASTS_SHADOWS(), isScenery && !prop.Translucent) != 0;
+    const bool castsUnasked =
+      !prop.Translucent || this->TranslucentCasting != vtkShadowPass::TRANSLUCENT_NONE;
+    prop.Casts = KeyOr(source, vtkShadowPass::CASTS_SHADOWS(), isScenery && castsUnasked) != 0;
     prop.CastsRays = prop.Casts;
     prop.Receives = KeyOr(source, vtkShadowPass::RECEIVES_SHADOWS(), isScenery) != 0;
     if (prop.Translucent && vtkShadowPass::IsShadowCatcher(source))
@@ -479,6 +482,17 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
       prop.Catches = true;
       prop.Casts = false;
       prop.Receives = true;
+    }
+    if (prop.Translucent && prop.Casts &&
+      this->TranslucentCasting == vtkShadowPass::TRANSLUCENT_STOCHASTIC)
+    {
+      prop.Dithers = true;
+      for (Piece& piece : prop.Pieces)
+      {
+        piece.DrawnSolid = false;
+        auto* actor = vtkActor::SafeDownCast(piece.Prop);
+        Append(piece.Signature, 1.0 + (actor ? actor->GetProperty()->GetOpacity() : 1.0));
+      }
     }
     this->Props.push_back(std::move(prop));
     this->AddStandIn();
@@ -574,6 +588,17 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
            "SetStandIn a mesh with polygons or strips, or nullptr to remove it.");
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowScene::SetTranslucentCasting(int how)
+{
+  this->Internal->TranslucentCasting = how;
+}
+
+int vtkShadowScene::GetTranslucentCasting() const
+{
+  return this->Internal->TranslucentCasting;
 }
 
 //------------------------------------------------------------------------------

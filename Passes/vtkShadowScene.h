@@ -60,6 +60,10 @@ public:
 
   void Gather(vtkRenderer* renderer);
 
+  // One of vtkShadowPass::TranslucentCastingType.
+  void SetTranslucentCasting(int how);
+  int GetTranslucentCasting() const;
+
   // The radius is no property of a vtkLight: vtkShadowPass knows it.
   void SetLightRadius(std::size_t light, double radius);
 #endif

@@ -4,6 +4,7 @@
 #include "vtkShadowCasterCamera.h"
 #include "vtkShadowCatcherFS.h"
 #include "vtkShadowCatchers.h"
+#include "vtkShadowDitherFS.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowReceiverBufferFS.h"
@@ -58,6 +59,12 @@ std::string ColorUniform(std::size_t light)
 std::string StrengthUniform(std::size_t light)
 {
   return "shadowStrength" + std::to_string(light);
+}
+
+// Where shadow ends, and how fast it does, in inverse units.
+std::string DistanceUniform(std::size_t light)
+{
+  return "shadowDistance" + std::to_string(light);
 }
 
 // 1 where a prop takes shadows from the masks of this sampler.
@@ -167,7 +174,8 @@ void vtkShadowedShadingPass::SetPlan(const std::vector<LightPlan>& plan)
   {
     const LightPlan& light = plan[i];
     shape << (light.Technique ? light.Technique->GetTechniqueName() : "-") << light.Slot
-          << static_cast<int>(light.Light->kind) << (light.Strength < 1.0f) << ' ';
+          << static_cast<int>(light.Light->kind) << (light.Strength < 1.0f)
+          << (light.MaximumDistance > 0.0f) << ' ';
     if (!light.Technique)
     {
       continue;
@@ -220,15 +228,29 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
   {
     this->ShaderStage.Modified();
   }
+  std::unordered_set<vtkProp*> dithered;
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
     this->AttachTo(prop.Source, prop.Receives);
+    if (prop.Dithers)
+    {
+      dithered.insert(prop.Source);
+    }
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
+      if (prop.Dithers)
+      {
+        dithered.insert(piece.Prop);
+      }
       this->AttachTo(piece.Prop, prop.Receives);
       this->Users.emplace(
         static_cast<vtkAbstractMapper*>(piece.Mapper), static_cast<vtkProp*>(piece.Prop));
     }
+  }
+  if (dithered != this->Dithered)
+  {
+    this->Dithered.swap(dithered);
+    this->ShaderStage.Modified();
   }
 }
 
@@ -456,6 +478,10 @@ std::string vtkShadowedShadingPass::Declarations() const
     {
       code << "uniform float " << StrengthUniform(i) << ";\n";
     }
+    if (this->Plan[i].Technique && this->Plan[i].MaximumDistance > 0.0f)
+    {
+      code << "uniform vec2 " << DistanceUniform(i) << ";\n";
+    }
   }
   return code.str();
 }
@@ -493,6 +519,22 @@ void vtkShadowedShadingPass::PlacePositions(std::string& vertexShader, std::stri
   vtkShaderProgram::Substitute(vertexShader, VertexMark, vertexCode.str());
   vtkShaderProgram::Substitute(
     fragmentShader, DeclarationMark, fragmentDeclarations.str() + this->Declarations());
+}
+
+//------------------------------------------------------------------------------
+// What a light's colour is multiplied by: its visibility, as far as shadow is wanted.
+std::string vtkShadowedShadingPass::FactorCode(std::size_t light) const
+{
+  const LightPlan& plan = this->Plan[light];
+  std::string strength = plan.Strength < 1.0f ? StrengthUniform(light) : std::string("1.0");
+  if (plan.MaximumDistance > 0.0f)
+  {
+    const std::string distance = DistanceUniform(light);
+    strength +=
+      " * clamp((" + distance + ".x - length(vertexVC.xyz)) * " + distance + ".y, 0.0, 1.0)";
+  }
+  return plan.Weakens() ? "mix(1.0, " + Visibility(light) + ", " + strength + ")"
+                        : Visibility(light);
 }
 
 //------------------------------------------------------------------------------
@@ -545,9 +587,7 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader,
       }
       code << ");\n";
     }
-    const std::string factor = light.Strength < 1.0f
-      ? "mix(1.0, " + Visibility(i) + ", " + StrengthUniform(i) + ")"
-      : Visibility(i);
+    const std::string factor = this->FactorCode(i);
     code << "  vec3 " << color << " = "
          << (isCatcher ? "shadowCatcherLight(" + color + ", " + factor + ")"
                        : color + " * " + factor)
@@ -586,10 +626,16 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
     // Impostors keep their own discards.
     vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
-      this->CurrentStage == COVERAGE ? "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n"
-                                     : "  gl_FragData[0] = vec4(1.0);\n",
-      false);
+    std::string output = this->CurrentStage == COVERAGE
+      ? "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n"
+      : "  gl_FragData[0] = vec4(1.0);\n";
+    if (this->CurrentStage == CASTERS && this->Dithered.count(prop) != 0)
+    {
+      vtkShaderProgram::Substitute(
+        fragmentShader, "//VTK::Light::Dec", std::string(vtkShadowDitherFS), false);
+      output = "  if (!shadowHolds(opacity)) { discard; }\n" + output;
+    }
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl", output, false);
     return true;
   }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
@@ -755,6 +801,13 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     if (this->Plan[i].Technique && this->Plan[i].Strength < 1.0f)
     {
       program->SetUniformf(StrengthUniform(i).c_str(), this->Plan[i].Strength);
+    }
+    if (this->Plan[i].Technique && this->Plan[i].MaximumDistance > 0.0f)
+    {
+      // A fade of nothing is a step, over a rounding.
+      const float most = this->Plan[i].MaximumDistance;
+      const float distance[2] = { most, 1.0f / (std::max(this->Plan[i].Fade, 1e-6f) * most) };
+      program->SetUniform2f(DistanceUniform(i).c_str(), distance);
     }
   }
   for (vtkShadowTechniquePass* technique : this->Techniques)

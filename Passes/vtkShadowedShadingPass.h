@@ -29,6 +29,7 @@
 #include <memory>        // for the catchers
 #include <string>        // for std::string
 #include <unordered_map> // for what is known of a prop
+#include <unordered_set> // for the same
 #include <vector>        // for the plan
 
 class vtkInformation;
@@ -72,7 +73,11 @@ public:
     vtkShadowTechniquePass* Technique = nullptr;
     int Slot = 0;
     float Strength = 1.0f;
+    float MaximumDistance = 0.0f; // of a receiver from the eye, for shadow; 0: any
+    float Fade = 0.0f;            // the share of it over which shadow fades out
     const vtkshadows::ShadowLight* Light = nullptr;
+
+    bool Weakens() const { return this->Strength < 1.0f || this->MaximumDistance > 0.0f; }
   };
   void SetPlan(const std::vector<LightPlan>& plan);
 
@@ -130,6 +135,7 @@ private:
 
   std::string Declarations() const;
   bool Tells(std::size_t light, vtkAbstractMapper* mapper, vtkProp* prop) const;
+  std::string FactorCode(std::size_t light) const;
   std::string LightCode(const std::string& fragmentShader, bool isImpostor, bool isCatcher,
     vtkAbstractMapper* mapper, vtkProp* prop) const;
   std::string OutputCode(const std::string& fragmentShader, bool isImpostor,
@@ -164,8 +170,9 @@ private:
   std::unordered_map<vtkInformation*, vtkSmartPointer<vtkInformation>> Attached;
   std::unordered_map<vtkProp*, bool> Receives;                 // leaves and tops
   std::unordered_multimap<vtkAbstractMapper*, vtkProp*> Users; // leaves that a mapper draws
-  std::unordered_map<vtkProp*, unsigned int> Culled;           // while casters are drawn
-  bool CastersWriteDepth = true;                               // the same
+  std::unordered_set<vtkProp*> Dithered;             // leaves and tops that cast by opacity
+  std::unordered_map<vtkProp*, unsigned int> Culled; // while casters are drawn
+  bool CastersWriteDepth = true;                     // the same
   float MaskSize[2] = { 0.0f, 0.0f };
   bool MaskIsPixels = true;
   int ParallelEye = 0;
