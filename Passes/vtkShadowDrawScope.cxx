@@ -25,6 +25,7 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   , Width(depth.Width())
   , Height(depth.Height())
   , HasColour(colour != nullptr)
+  , ColourIsInteger(colour != nullptr && colour->IsInteger())
 {
   this->State->PushFramebufferBindings();
   glGenFramebuffers(1, &this->Framebuffer);
@@ -72,7 +73,12 @@ void vtkShadowDrawScope::Clear(const float rgba[4])
 {
   const float farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  if (this->HasColour)
+  if (this->ColourIsInteger)
+  {
+    const GLuint none[4] = { 0, 0, 0, 0 };
+    glClearBufferuiv(GL_COLOR, 0, none);
+  }
+  else if (this->HasColour)
   {
     glClearBufferfv(GL_COLOR, 0, rgba);
   }

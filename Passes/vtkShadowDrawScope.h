@@ -25,7 +25,7 @@ public:
   // alone.
   void Confine(int width, int height, int border);
 
-  // Depth to 1, colour to rgba.
+  // Depth to 1, colour to rgba; a colour of integers to 0.
   void Clear(const float rgba[4]);
 
   // Read the colour attachment: width*height*4 floats, row by row from the bottom.
@@ -47,6 +47,7 @@ private:
   int Width;
   int Height;
   bool HasColour;
+  bool ColourIsInteger;
   bool Complete = false;
   unsigned int Framebuffer = 0;
 };

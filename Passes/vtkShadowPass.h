@@ -23,8 +23,9 @@
  * RECEIVES_SHADOWS 0: always lit.
  * A third, CASTER_STAND_IN (SetStandIn), has another mesh cast in a prop's place.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
- * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
- * (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but shadow.
+ * receives from techniques of the lookup form (depth-map, object-id) and is lit by those of the
+ * mask form (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but
+ * shadow.
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
  * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
@@ -39,7 +40,7 @@
  * Crow, F.: Shadow algorithms for computer graphics, SIGGRAPH 1977 (shadow volumes);
  * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
  *
- * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkPlanarShadowPass
+ * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkObjectIDShadowPass vtkPlanarShadowPass
  *     vtkStencilShadowVolumePass vtkRayCastShadowPass
  * vtkShadowErrorMeasure
  */
@@ -58,6 +59,7 @@ class vtkImageData;
 class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
 class vtkInformationObjectBaseKey;
+class vtkObjectIDShadowPass;
 class vtkLight;
 class vtkPolyData;
 class vtkProp;
@@ -132,6 +134,7 @@ public:
    * The techniques' own settings. GetRayCastShadowPass is nullptr in a build without Embree.
    */
   vtkDepthShadowMapPass* GetDepthShadowMapPass();
+  vtkObjectIDShadowPass* GetObjectIDShadowPass();
   vtkPlanarShadowPass* GetPlanarShadowPass();
   vtkStencilShadowVolumePass* GetStencilShadowVolumePass();
   vtkRayCastShadowPass* GetRayCastShadowPass();

@@ -29,6 +29,8 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
       return { GL_R32F, GL_RED, GL_FLOAT };
     case vtkShadowTextureArray::Format::RG32F:
       return { GL_RG32F, GL_RG, GL_FLOAT };
+    case vtkShadowTextureArray::Format::R32UI:
+      return { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT };
     case vtkShadowTextureArray::Format::RGBA32F:
       return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
     default:

@@ -20,6 +20,7 @@ public:
     RGBA32F,
     R32F,
     RG32F,
+    R32UI, // sampled as integers
     R8 // 0..255 read as 0..1
   };
 
@@ -53,6 +54,7 @@ public:
   // Trade contents; neither may be bound.
   void Swap(vtkShadowTextureArray& other);
 
+  bool IsInteger() const { return this->TexelFormat == Format::R32UI; }
   bool HasStencil() const { return this->TexelFormat == Format::Depth24Stencil8; }
 
   unsigned int Id() const { return this->Texture; }
