@@ -414,3 +414,327 @@ TEST_F(ObjectKinds, NothingShadowsItselfWithoutDepths)
     0.02 * truth);
   CheckAtLeast("pixels in shadow, by rays", truth, 1000.0);
 }
+
+//------------------------------------------------------------------------------
+// One tap is as sharp as a texel, more are softer; without depths more tests that must agree shrink
+// the shadow.
+TEST_F(ObjectIDs, Taps)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddStillLife(this->Renderer);
+  auto spot = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  AimCamera(this->Renderer, subject, -15.0, 28.0, 400, 300);
+  this->Maps()->SetResolution(512);
+  double shadowedBefore = 0.0, blendedBefore = -1.0;
+  for (const int taps : { 1, 2, 3, 4 })
+  {
+    this->Maps()->SetTaps(taps);
+    const std::string row = std::to_string(taps) + " x " + std::to_string(taps) + " taps";
+    const Error error = this->ErrorOf(row, "object-id", spot);
+    CheckAtMost(row + ": mismatch", error.mismatch, 0.35);
+    const Visibility visibility = this->VisibilityOf(spot);
+    const double blended = static_cast<double>(std::count_if(visibility.values.begin(),
+      visibility.values.end(), [](float v) { return v > 0.001f && v < 0.999f; }));
+    if (taps == 1)
+    {
+      Check(row + ": pixels between lit and dark", blended, 0.0);
+    }
+    CheckAtLeast(row + ": pixels between lit and dark", blended, blendedBefore + 1.0);
+    blendedBefore = blended;
+
+    this->Maps()->CombineDepthOff();
+    const double shadowed = static_cast<double>(this->VisibilityOf(spot).CountShadowed());
+    this->Maps()->CombineDepthOn();
+    if (taps > 1)
+    {
+      CheckAtMost(row + ", IDs alone: pixels in shadow", shadowed, shadowedBefore - 20.0);
+    }
+    shadowedBefore = shadowed;
+  }
+}
+
+// Eight bits see less of a surface's own relief than 16; more bits than 16 change little.
+TEST_F(ObjectIDs, BitsOfADepth)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Subject subject = AddBumpyMesh(this->Renderer);
+  auto sun = AddSun(this->Renderer, -Toward(60.0, 25.0));
+  AimCamera(this->Renderer, subject, 10.0, 20.0, 400, 300);
+  const Visibility finest = [&]()
+  {
+    this->Maps()->SetDepthBits(32);
+    return this->VisibilityOf(sun);
+  }();
+  double unlike[3];
+  const int bits[] = { 8, 16, 24 };
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Maps()->SetDepthBits(bits[i]);
+    unlike[i] = static_cast<double>(CountDifferent(this->VisibilityOf(sun), finest));
+    std::printf("%d bits: %.0f px unlike 32\n", bits[i], unlike[i]);
+  }
+  CheckAtLeast("px of 8 bits unlike 32", unlike[0], 10.0);
+  CheckAtMost("px of 16 bits unlike 32", unlike[1], 0.2 * unlike[0]);
+  CheckAtMost("px of 24 bits unlike 32", unlike[2], unlike[1]);
+}
+
+// Eight bits of IDs for more objects: one warning, and with depths the shadows are right all the
+// same.
+TEST_F(ObjectKinds, MoreObjectsThanIDs)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  vtkNew<vtkPolyData> places;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 400; ++i)
+  {
+    points->InsertNextPoint(0.15 * (i % 20 - 10), 0.15 * (i / 20 - 10), 0.4 + 0.3 * std::sin(i));
+  }
+  places->SetPoints(points);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.07);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(places);
+  mapper->SetSourceConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  this->Maps()->CombineDepthOn();
+  this->Maps()->SetObjectType("instance");
+  const Error with16 = this->ErrorOf("16 bits", "object-id", this->Light);
+  this->Maps()->SetDepthBits(24);
+  this->Render();
+  ExpectOneMessage({ "vtkObjectIDShadowPass", "402 objects", "255 IDs", "\"instance\"" });
+  const Error with24 = this->ErrorOf("24 bits", "object-id", this->Light);
+  CheckAtMost("mismatch with IDs shared", with24.mismatch, 1.1 * with16.mismatch);
+}
+
+//------------------------------------------------------------------------------
+// Whatever VTK draws, at the depths of a float: the depth map's picture.
+TEST_F(ObjectIDs, WhateverVTKDraws)
+{
+  this->Renderer->AutomaticLightCreationOff();
+  AddFloor(this->Renderer, 4.0);
+  auto glass = AddBox(this->Renderer, { -2.0, -2.5, 0.0 }, { 2.0, -2.4, 1.0 });
+  glass->GetProperty()->SetOpacity(0.5);
+  auto edged = AddSphere(this->Renderer, { 1.5, 0.0, 0.8 }, 0.6, 12);
+  edged->GetProperty()->EdgeVisibilityOn();
+  auto wires = AddSphere(this->Renderer, { -1.5, 0.6, 0.8 }, 0.6, 12);
+  wires->GetProperty()->SetRepresentationToWireframe();
+  wires->GetProperty()->SetLineWidth(3.0);
+  AddSphere(this->Renderer, { 0.0, 1.4, 1.0 }, 0.5)->GetProperty()->SetInterpolationToPBR();
+  auto catcher = AddBox(this->Renderer, { -4.0, 2.5, 0.0 }, { 4.0, 2.6, 3.0 });
+  vtkShadowPass::SetShadowCatcher(catcher, true);
+  vtkNew<vtkPolyData> centres;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, -0.8, 1.2);
+  points->InsertNextPoint(0.5, -0.6, 0.5);
+  vtkNew<vtkCellArray> verts;
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    verts->InsertNextCell(1, &i);
+  }
+  centres->SetPoints(points);
+  centres->SetVerts(verts);
+  vtkNew<vtkOpenGLSphereMapper> spheres;
+  spheres->SetInputData(centres);
+  spheres->SetRadius(0.35);
+  vtkNew<vtkActor> impostors;
+  impostors->SetMapper(spheres);
+  this->Renderer->AddActor(impostors);
+  LookAt(this->Renderer, { 1.0, -7.0, 4.0 }, { 0.0, 0.0, 0.8 });
+  auto sun = AddSun(this->Renderer, { 0.3, 0.6, -1.0 });
+  AddSpot(this->Renderer, { 2.5, -3.0, 6.0 }, { 0.0, 0.0, 0.5 }, 40.0);
+  auto lamp = AddLamp(this->Renderer, { -0.6, 0.3, 1.6 });
+  this->Shadows->SetLightStrength(sun, 0.6);
+
+  this->Shadows->SetTechnique("depth-map");
+  const Frame byDepth = this->Render();
+  this->Shadows->SetTechnique("none");
+  const Frame lit = this->Render();
+  CheckAtLeast(
+    "px that shadows change", static_cast<double>(CountDifferent(byDepth, lit, 8)), 2000.0);
+  this->Shadows->SetTechnique("object-id");
+  const double pixels = static_cast<double>(byDepth.rgb.size() / 3);
+  for (int type = 0; type < vtkObjectIDShadowPass::GetNumberOfObjectTypes(); ++type)
+  {
+    for (const int bits : { 32, 16 })
+    {
+      if (bits == 16 && type != vtkObjectIDShadowPass::PROP)
+      {
+        continue; // each has shaders of its own, which take long to make
+      }
+      this->Maps()->SetObjectType(type);
+      this->Maps()->SetDepthBits(bits);
+      const Frame frame = this->Render();
+      CheckAtMost("px unlike the depth map's, by " +
+          vtkObjectIDShadowPass::GetObjectTypeName(type) + ", " + std::to_string(bits) + " bits",
+        static_cast<double>(CountDifferent(frame, byDepth, 8)), 0.0005 * pixels);
+    }
+  }
+
+  // Beside other techniques in one frame each keeps its own.
+  this->Shadows->SetLightTechnique(lamp, "depth-map");
+  CheckAtMost("px unlike the depth map's, mixed with it",
+    static_cast<double>(CountDifferent(this->Render(), byDepth, 8)), 0.0005 * pixels);
+
+  // IDs alone cast, too: the frame is neither lit nor the same.
+  this->Shadows->ClearLightSettings(lamp);
+  this->Maps()->CombineDepthOff();
+  CheckAtLeast("px that IDs alone shadow",
+    static_cast<double>(CountDifferent(this->Render(), lit, 8)), 2000.0);
+}
+
+// Sixteen lights at once, by all forms.
+TEST_F(ObjectIDs, SixteenLights)
+{
+  this->Renderer->AutomaticLightCreationOff();
+  const Subject subject = AddStillLife(this->Renderer);
+  AimCamera(this->Renderer, subject, -15.0, 28.0, 400, 300);
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  for (int i = 0; i < 16; ++i)
+  {
+    const glm::dvec3 toward = Toward(22.5 * i, 35.0 + 2.0 * i);
+    lights.push_back(i % 2 ? AddSun(this->Renderer, -toward)
+                           : AddSpot(this->Renderer, 7.0 * toward, { 0.0, 0.0, 0.3 }, 30.0));
+    lights.back()->SetIntensity(0.1);
+  }
+  this->Maps()->SetResolution(512);
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(512);
+  const char* techniques[] = { "object-id", "depth-map", "stencil-volume" };
+  this->Shadows->SetTechnique("depth-map");
+  const Frame byDepth = this->Render();
+  this->Shadows->SetTechnique("object-id");
+  CheckAtMost("px unlike the depth map's",
+    static_cast<double>(CountDifferent(this->Render(), byDepth, 2)), 50.0);
+  for (int i = 0; i < 16; ++i)
+  {
+    this->Shadows->SetLightTechnique(lights[i], techniques[i % 3]);
+  }
+  this->Render();
+  const Visibility mixed = this->VisibilityOf(lights[3]);
+  this->Shadows->SetTechnique("depth-map");
+  this->Shadows->SetLightTechnique(lights[3], "depth-map");
+  CheckAtMost("px of a light among others of other techniques, unlike the depth map's",
+    static_cast<double>(CountDifferent(mixed, this->VisibilityOf(lights[3]))), 10.0);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(ObjectIDs, MapsAreDrawnWhenStale)
+{
+  AddFloor(this->Renderer, 5.0);
+  auto ball = AddSphere(this->Renderer, { -1.0, 0.0, 1.2 }, 0.8);
+  auto box = AddBox(this->Renderer, { 0.6, -0.6, 0.0 }, { 1.7, 0.6, 1.4 });
+  auto light = AddSpot(this->Renderer, { 2.5, -2.5, 6.0 }, { 0.0, 0.0, 0.5 }, 40.0);
+  LookAt(this->Renderer, { 1.0, -7.0, 5.0 }, { 0.0, 0.0, 0.5 });
+  this->Render();
+  const auto check = [&](const std::string& what, double maps)
+  {
+    const vtkIdType before = this->Maps()->GetNumberOfMapBuilds();
+    const Frame frame = this->Render();
+    Check(what + ": maps drawn", static_cast<double>(this->Maps()->GetNumberOfMapBuilds() - before),
+      maps);
+    vtkNew<vtkShadowPass> fresh;
+    fresh->SetTechnique("object-id");
+    vtkObjectIDShadowPass* maps2 = fresh->GetObjectIDShadowPass();
+    maps2->SetObjectType(this->Maps()->GetObjectType());
+    maps2->SetCombineDepth(this->Maps()->GetCombineDepth());
+    maps2->SetDepthBits(this->Maps()->GetDepthBits());
+    maps2->SetTaps(this->Maps()->GetTaps());
+    this->Renderer->SetPass(fresh);
+    const Frame expected = this->Render();
+    this->Renderer->SetPass(this->Shadows);
+    Check(what + ": px unlike a fresh pass's", static_cast<double>(CountDifferent(frame, expected)),
+      0.0);
+  };
+  check("nothing", 0);
+  this->Renderer->GetActiveCamera()->Azimuth(10.0);
+  check("the camera moved", 0);
+  ball->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  check("a colour", 0);
+  light->SetPosition(2.0, -2.5, 6.0);
+  check("the light moved", 1);
+  box->SetPosition(0.1, 0.0, 0.0);
+  check("a caster moved", 1);
+  for (const char* type : { "block", "instance", "piece" })
+  {
+    this->Maps()->SetObjectType(type);
+    check(std::string("objects by ") + type, 1);
+  }
+  for (const int bits : { 8, 24, 32, 16 })
+  {
+    this->Maps()->SetDepthBits(bits);
+    check(std::to_string(bits) + " bits", 1);
+  }
+  this->Maps()->CombineDepthOff();
+  check("IDs alone", 1);
+  this->Maps()->SetTaps(2);
+  check("the taps that there were", 0);
+  this->Maps()->CombineDepthOn();
+  check("with depths", 1);
+  auto hidden = AddSphere(this->Renderer, { 0.0, 1.5, 0.5 }, 0.4);
+  check("one caster more", 1);
+  vtkShadowPass::SetCastsShadows(ball, false);
+  check("one caster less", 1);
+  this->Renderer->RemoveActor(hidden);
+  check("another caster less", 1);
+}
+
+// What casts by another mesh is one object with it: it is not in shadow of a hull around it.
+TEST_F(ObjectIDs, StandIns)
+{
+  AddFloor(this->Renderer, 5.0);
+  auto ball = AddSphere(this->Renderer, { 0.0, 0.0, 1.2 }, 0.8);
+  vtkNew<vtkSphereSource> hull;
+  hull->SetCenter(0.0, 0.0, 1.2);
+  hull->SetRadius(0.9);
+  hull->Update();
+  vtkShadowPass::SetStandIn(ball, hull->GetOutput());
+  auto sun = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
+  LookAt(this->Renderer, { 1.0, -7.0, 5.0 }, { 0.0, 0.0, 0.5 });
+  const double deep = static_cast<double>(this->VisibilityOf(sun).CountShadowed());
+  this->Maps()->CombineDepthOff();
+  const double alone = static_cast<double>(this->VisibilityOf(sun).CountShadowed());
+  CheckAtLeast("px of the hull's shadow on the floor", alone, 1000.0);
+  CheckAtLeast("px more in shadow with depths: the ball in its hull", deep - alone, 1000.0);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(ObjectIDs, BadSettings)
+{
+  AddFloor(this->Renderer, 5.0);
+  AddSphere(this->Renderer, { 0.0, 0.0, 1.2 }, 0.8);
+  AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
+  LookAt(this->Renderer, { 1.0, -7.0, 5.0 }, { 0.0, 0.0, 0.5 });
+  const Frame before = this->Render();
+  vtkObjectIDShadowPass* maps = this->Maps();
+  for (const int bits : { 0, -8, 12, 64 })
+  {
+    maps->SetDepthBits(bits);
+    ExpectOneMessage({ "vtkObjectIDShadowPass", std::to_string(bits), "8, 16, 24 or 32" });
+  }
+  for (const int taps : { 0, -1, 5 })
+  {
+    maps->SetTaps(taps);
+    ExpectOneMessage({ "vtkObjectIDShadowPass", std::to_string(taps), "1 to 4" });
+  }
+  for (const int type : { -1, 4 })
+  {
+    maps->SetObjectType(type);
+    ExpectOneMessage({ "vtkObjectIDShadowPass", std::to_string(type), "0 to 3" });
+  }
+  maps->SetObjectType("atom");
+  ExpectOneMessage({ "vtkObjectIDShadowPass", "\"atom\"", "prop, block, instance, piece" });
+  maps->SetResolution(0);
+  ExpectOneMessage({ "vtkObjectIDShadowPass", "0", "1 or more" });
+  Check(
+    "px unlike the frame before", static_cast<double>(CountDifferent(this->Render(), before)), 0.0);
+  Check("maps drawn", static_cast<double>(maps->GetNumberOfMapBuilds()), 1.0);
+
+  for (const int resolution : { 1, 2, 3, 7, 2048 })
+  {
+    maps->SetResolution(resolution);
+    this->Render();
+  }
+  Check(
+    "px unlike the frame before", static_cast<double>(CountDifferent(this->Render(), before)), 0.0);
+}
