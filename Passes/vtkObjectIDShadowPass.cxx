@@ -9,16 +9,13 @@
 #include "vtkShadowHiddenFaces.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowObjects.h"
-#include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTextureBuffer.h"
 #include "vtkShadowedShadingPass.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <iterator>
@@ -49,37 +46,33 @@ public:
   vtkShadowTextureArray Depth; // of the map that is drawn
   vtkShadowHiddenFaces HiddenFaces;
   vtkShadowObjects Objects;
-  std::vector<glm::vec2> Ranges; // of each map, by ID
-  vtkNew<vtkOpenGLBufferObject> RangeBuffer;
-  vtkNew<vtkTextureObject> RangeTexture;
-  vtkOpenGLRenderWindow* Window = nullptr;
-  vtkTextureObject* OfVertices = nullptr; // that is bound
+  std::vector<float> Ranges; // of each map, by ID: nearest depth, and how far it reaches
+  vtkShadowTextureBuffer RangeTexture;
+  vtkOpenGLRenderWindow* Window = nullptr;      // of the frame
+  vtkShadowTextureBuffer* OfVertices = nullptr; // that is bound
   int DrawnLayer = 0;
 
   void SetRanges(int layer, const std::vector<glm::vec2>& ranges);
-  void BindVertices(vtkTextureObject* table);
-  void Bind();
+  void BindVertices(vtkShadowTextureBuffer* table);
   void Unbind();
 };
 
 //------------------------------------------------------------------------------
 void vtkObjectIDShadowPass::Internals::SetRanges(int layer, const std::vector<glm::vec2>& ranges)
 {
-  const std::size_t first = ranges.size() * static_cast<std::size_t>(layer);
-  this->Ranges.resize(std::max(this->Ranges.size(), first + ranges.size()));
-  std::copy(
-    ranges.begin(), ranges.end(), this->Ranges.begin() + static_cast<std::ptrdiff_t>(first));
-  this->RangeBuffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-  this->RangeBuffer->Upload(
-    &this->Ranges.front().x, 2 * this->Ranges.size(), vtkOpenGLBufferObject::TextureBuffer);
-  this->RangeTexture->SetContext(this->Window);
-  this->RangeTexture->CreateTextureBuffer(
-    static_cast<unsigned int>(this->Ranges.size()), 2, VTK_FLOAT, this->RangeBuffer);
+  const std::size_t first = 2 * ranges.size() * static_cast<std::size_t>(layer);
+  this->Ranges.resize(std::max(this->Ranges.size(), first + 2 * ranges.size()));
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+  {
+    this->Ranges[first + 2 * i] = ranges[i].x;
+    this->Ranges[first + 2 * i + 1] = ranges[i].y;
+  }
+  this->RangeTexture.Upload(this->Window, 2, this->Ranges);
 }
 
 //------------------------------------------------------------------------------
 // A mesh without a table reads none, but its sampler must name a texture of the kind.
-void vtkObjectIDShadowPass::Internals::BindVertices(vtkTextureObject* table)
+void vtkObjectIDShadowPass::Internals::BindVertices(vtkShadowTextureBuffer* table)
 {
   if (table == this->OfVertices)
   {
@@ -96,21 +89,10 @@ void vtkObjectIDShadowPass::Internals::BindVertices(vtkTextureObject* table)
   }
 }
 
-void vtkObjectIDShadowPass::Internals::Bind()
-{
-  if (this->RangeTexture->GetHandle() != 0)
-  {
-    this->RangeTexture->Activate();
-  }
-}
-
 void vtkObjectIDShadowPass::Internals::Unbind()
 {
   this->BindVertices(nullptr);
-  if (this->RangeTexture->GetHandle() != 0)
-  {
-    this->RangeTexture->Deactivate();
-  }
+  this->RangeTexture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -277,8 +259,9 @@ void vtkObjectIDShadowPass::BeginMaps(const vtkShadowFrame& frame)
 {
   Internals& my = *this->Internal;
   my.HiddenFaces.BeginFrame(frame.Scene->GetProps());
-  if (my.Ranges.empty())
+  if (my.Ranges.empty() || !my.RangeTexture.IsOf(my.Window))
   {
+    my.Ranges.clear();
     my.SetRanges(0, { { 1.0f, 0.0f } }); // of NoID, so that there is a texture
   }
 }
@@ -294,7 +277,7 @@ void vtkObjectIDShadowPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
   const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   target.Clear(nothing);
   target.Confine(width, height, 1);
-  my.Bind();
+  my.RangeTexture.Activate();
   frame.Shading->DrawCasters(frame, view.Casters, view.View,
     my.HiddenFaces.CulledOf(
       frame.Scene->GetProps(), view.Casters, vtkshadows::HomogeneousLight(slot.Light)),
@@ -342,7 +325,7 @@ void vtkObjectIDShadowPass::SetObjectParameters(
   Internals& my = *this->Internal;
   const vtkShadowObjects::Draw draw = my.Objects.DrawOf(my.Window, mapper, prop);
   my.BindVertices(draw.OfVertices);
-  const int ranges = my.RangeTexture->GetTextureUnit();
+  const int ranges = my.RangeTexture.Unit();
   program->SetUniformi("shadowObjectRanges", ranges);
   program->SetUniformi("shadowObjectRow", my.Objects.GetNumberOfIDs());
   program->SetUniformi("shadowObjectLayer", my.DrawnLayer);
@@ -352,7 +335,7 @@ void vtkObjectIDShadowPass::SetObjectParameters(
   program->SetUniformi("shadowObjectMost", my.Objects.GetMostIDs());
   program->SetUniformi("shadowObjectByVertex", draw.OfVertices ? 1 : 0);
   program->SetUniformi(
-    "shadowObjectsOfVertices", draw.OfVertices ? draw.OfVertices->GetTextureUnit() : ranges);
+    "shadowObjectsOfVertices", draw.OfVertices ? draw.OfVertices->Unit() : ranges);
 }
 
 //------------------------------------------------------------------------------
@@ -365,7 +348,7 @@ vtkShadowTextureArray* vtkObjectIDShadowPass::GetTextures()
 void vtkObjectIDShadowPass::ActivateTextures()
 {
   this->Superclass::ActivateTextures();
-  this->Internal->Bind();
+  this->Internal->RangeTexture.Activate();
 }
 
 void vtkObjectIDShadowPass::DeactivateTextures()
@@ -380,10 +363,9 @@ void vtkObjectIDShadowPass::ReleaseGraphicsResources(vtkWindow* w)
   Internals& my = *this->Internal;
   my.Maps.Release();
   my.Depth.Release();
-  my.RangeTexture->ReleaseGraphicsResources(w);
-  my.RangeBuffer->ReleaseGraphicsResources();
+  my.RangeTexture.Release();
   my.Ranges.clear();
-  my.Objects.Release(w);
+  my.Objects.Release();
   this->Superclass::ReleaseGraphicsResources(w);
 }
 

@@ -2,7 +2,7 @@
 
 #include "ConnectedPieces.h"
 #include "vtkShadowCasterGeometry.h"
-#include "vtkShadowOpenGL.h"
+#include "vtkShadowTextureBuffer.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -10,13 +10,11 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkTextureObject.h"
 #if __has_include("vtkCompositeMapperHelper2.h")
 #include "vtkCompositeMapperHelper2.h"
 #endif
@@ -26,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -154,10 +153,8 @@ double DepthAt(const LightView& view, double distance)
 //------------------------------------------------------------------------------
 struct vtkShadowObjects::VertexTable
 {
-  std::vector<float> IDs;
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkTextureObject> Texture;
-  vtkOpenGLRenderWindow* Window = nullptr;
+  std::vector<float> IDs; // empty: its draws are one object
+  vtkShadowTextureBuffer Texture;
   vtkMTimeType Checked = 0; // the caster stamp that it was last checked for
   std::vector<vtkPolyData*> Meshes;
 };
@@ -202,6 +199,11 @@ bool vtkShadowObjects::Update(const vtkShadowScene& scene, Kind kind, int mostID
         this->AddPiece(prop, piece);
       }
     }
+  }
+  for (auto table = this->Tables.begin(); table != this->Tables.end();)
+  {
+    table =
+      this->Entries.count(table->first.second) != 0 ? std::next(table) : this->Tables.erase(table);
   }
   // What casts by a stand-in is one object with it.
   for (const vtkShadowScene::Prop& prop : scene.GetProps())
@@ -443,7 +445,7 @@ vtkShadowObjects::Draw vtkShadowObjects::DrawOf(
 }
 
 //------------------------------------------------------------------------------
-vtkTextureObject* vtkShadowObjects::TableOf(
+vtkShadowTextureBuffer* vtkShadowObjects::TableOf(
   vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop, const Entry& entry)
 {
   auto* drawing = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
@@ -453,9 +455,10 @@ vtkTextureObject* vtkShadowObjects::TableOf(
   {
     table.reset(new VertexTable);
   }
-  if (table->Checked == this->Stamp && table->Window == window && table->Meshes == meshes)
+  if (table->Checked == this->Stamp && table->Meshes == meshes &&
+    (table->IDs.empty() || table->Texture.IsOf(window)))
   {
-    return table->IDs.empty() ? nullptr : table->Texture.Get();
+    return table->IDs.empty() ? nullptr : &table->Texture;
   }
 
   std::vector<float> ids;
@@ -478,36 +481,24 @@ vtkTextureObject* vtkShadowObjects::TableOf(
     }
   }
   // Vertices that are not these points, or more than a table holds, are one object.
-  int largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
   const auto vertices =
     static_cast<std::size_t>(MapperAccess::Buffers(drawing)->GetNumberOfTuples("vertexMC"));
-  if (ids.size() != vertices || ids.size() > static_cast<std::size_t>(largest))
+  if (ids.size() != vertices || ids.size() > vtkShadowTextureBuffer::LargestSize())
   {
     ids.clear();
   }
+  if (!ids.empty() && (ids != table->IDs || !table->Texture.IsOf(window)))
+  {
+    table->Texture.Upload(window, 1, ids);
+  }
   table->Checked = this->Stamp;
   table->Meshes = meshes;
-  if (!ids.empty() && (table->IDs != ids || table->Window != window))
-  {
-    table->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-    table->Buffer->Upload(ids, vtkOpenGLBufferObject::TextureBuffer);
-    table->Texture->SetContext(window);
-    table->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(ids.size()), 1, VTK_FLOAT, table->Buffer);
-  }
-  table->Window = window;
   table->IDs = std::move(ids);
-  return table->IDs.empty() ? nullptr : table->Texture.Get();
+  return table->IDs.empty() ? nullptr : &table->Texture;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowObjects::Release(vtkWindow* window)
+void vtkShadowObjects::Release()
 {
-  for (auto& known : this->Tables)
-  {
-    known.second->Texture->ReleaseGraphicsResources(window);
-    known.second->Buffer->ReleaseGraphicsResources();
-  }
   this->Tables.clear();
 }

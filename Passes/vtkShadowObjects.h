@@ -16,11 +16,10 @@
 
 class vtkAbstractMapper;
 class vtkInformation;
-class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
 class vtkPoints;
 class vtkPolyData;
-class vtkTextureObject;
-class vtkWindow;
+class vtkShadowTextureBuffer;
 
 class vtkShadowObjects
 {
@@ -59,13 +58,13 @@ public:
     int First = -1;      // object of instance 0; below 0: none
     int PerInstance = 0; // 1: instance i is object First + i
     // By vertex, if there is one: its ID.
-    vtkTextureObject* OfVertices = nullptr;
+    vtkShadowTextureBuffer* OfVertices = nullptr;
   };
   Draw DrawOf(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop);
   int GetMostIDs() const { return this->MostIDs; }
 
-  // Textures of the window that goes.
-  void Release(vtkWindow* window);
+  // Forget the tables of vertices.
+  void Release();
 
 private:
   // A box of an object; several may have the same.
@@ -103,7 +102,7 @@ private:
   void AddInstances(Entry& entry, const vtkShadowScene::Piece& piece, double beyond);
   void AddBox(int object, const glm::dmat4& worldFromModel, const vtkshadows::BoxCorners& cornersMC,
     double beyond);
-  vtkTextureObject* TableOf(
+  vtkShadowTextureBuffer* TableOf(
     vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop, const Entry& entry);
 
   bool Known = false;

@@ -90,6 +90,10 @@ protected:
         byBits[i] =
           this->ErrorOf(row + ", " + std::to_string(bits[i]) + " bits", "object-id", light);
       }
+      if (this->Maps()->GetNumberOfObjects() > 255)
+      {
+        ExpectOneMessage({ "vtkObjectIDShadowPass", "255 IDs" }); // by 24 bits
+      }
       this->Maps()->SetDepthBits(16);
       CheckAtMost(row + ": gross px, beside the depth map's", byBits[1].gross, byDepth.gross);
       CheckAtMost(row + ": mismatch at 16 bits, beside 1.5 times that at 32", byBits[1].mismatch,
@@ -100,6 +104,42 @@ protected:
         1.1 * byDepth.mismatch);
     }
   }
+
+  // A floor under a sun, and IDs alone.
+  void AddFloorAndSun()
+  {
+    this->Resize(640, 480);
+    AddFloor(this->Renderer, 4.0);
+    this->Light = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
+    LookAt(this->Renderer, { 1.0, -6.0, 4.5 }, { 0.0, 0.0, 0.9 });
+    this->Maps()->CombineDepthOff();
+  }
+
+  // By `type` as the truth has it, but for an edge a texel narrower; with the coarser one much is
+  // missed; and with depths both are right.
+  void CheckToldApart(const std::string& coarser, const std::string& type, int objects)
+  {
+    SHADOWTEST_NEEDS_RAY_CAST();
+    this->Maps()->SetObjectType(coarser);
+    const Error merged = this->ErrorOf("merged, by " + coarser, "object-id", this->Light);
+    CheckAtLeast("gross px where objects are merged", merged.gross, 500.0);
+    this->Maps()->SetObjectType(type);
+    const Error apart = this->ErrorOf("told apart, by " + type, "object-id", this->Light);
+    CheckAtMost("mismatch where objects are told apart", apart.mismatch, 0.3);
+    CheckAtMost("gross px where objects are told apart", apart.gross, 0.0);
+    Check("objects", this->Maps()->GetNumberOfObjects(), objects);
+    this->Maps()->CombineDepthOn();
+    for (const std::string& each : { coarser, type })
+    {
+      this->Maps()->SetObjectType(each);
+      const Error deep = this->ErrorOf("with depths, by " + each, "object-id", this->Light);
+      CheckAtMost("mismatch with depths", deep.mismatch, 0.1);
+      CheckAtMost("gross px with depths", deep.gross, 0.0);
+    }
+    this->Maps()->CombineDepthOff();
+  }
+
+  vtkSmartPointer<vtkLight> Light;
 };
 
 }
@@ -259,51 +299,12 @@ std::vector<vtkSmartPointer<vtkPolyData>> ConvexBodies()
   return bodies;
 }
 
-class ObjectKinds : public ObjectIDs
-{
-protected:
-  void SetUp() override
-  {
-    ObjectIDs::SetUp();
-    this->Resize(640, 480);
-    AddFloor(this->Renderer, 4.0);
-    this->Light = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
-    LookAt(this->Renderer, { 1.0, -6.0, 4.5 }, { 0.0, 0.0, 0.9 });
-    this->Maps()->CombineDepthOff();
-  }
-
-  // By `type` as the truth has it, but for an edge a texel narrower; with the coarser one much is
-  // missed; and with depths both are right.
-  void CheckToldApart(const std::string& coarser, const std::string& type, int objects)
-  {
-    SHADOWTEST_NEEDS_RAY_CAST();
-    this->Maps()->SetObjectType(coarser);
-    const Error merged = this->ErrorOf("merged, by " + coarser, "object-id", this->Light);
-    CheckAtLeast("gross px where objects are merged", merged.gross, 500.0);
-    this->Maps()->SetObjectType(type);
-    const Error apart = this->ErrorOf("told apart, by " + type, "object-id", this->Light);
-    CheckAtMost("mismatch where objects are told apart", apart.mismatch, 0.3);
-    CheckAtMost("gross px where objects are told apart", apart.gross, 0.0);
-    Check("objects", this->Maps()->GetNumberOfObjects(), objects);
-    this->Maps()->CombineDepthOn();
-    for (const std::string& each : { coarser, type })
-    {
-      this->Maps()->SetObjectType(each);
-      const Error deep = this->ErrorOf("with depths, by " + each, "object-id", this->Light);
-      CheckAtMost("mismatch with depths", deep.mismatch, 0.1);
-      CheckAtMost("gross px with depths", deep.gross, 0.0);
-    }
-    this->Maps()->CombineDepthOff();
-  }
-
-  vtkSmartPointer<vtkLight> Light;
-};
-
 }
 
-TEST_F(ObjectKinds, Props)
+TEST_F(ObjectIDs, Props)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddFloorAndSun();
   for (const vtkSmartPointer<vtkPolyData>& body : ConvexBodies())
   {
     AddActor(this->Renderer, body);
@@ -315,8 +316,9 @@ TEST_F(ObjectKinds, Props)
 }
 
 // Blocks of unlike arrays are drawn by several of VTK's mappers.
-TEST_F(ObjectKinds, BlocksOfAComposite)
+TEST_F(ObjectIDs, BlocksOfAComposite)
 {
+  this->AddFloorAndSun();
   vtkNew<vtkMultiBlockDataSet> blocks, inner;
   const std::vector<vtkSmartPointer<vtkPolyData>> bodies = ConvexBodies();
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -334,8 +336,9 @@ TEST_F(ObjectKinds, BlocksOfAComposite)
 }
 
 // Two sources, a mask, and instances of different sizes.
-TEST_F(ObjectKinds, InstancesOfGlyphs)
+TEST_F(ObjectIDs, InstancesOfGlyphs)
 {
+  this->AddFloorAndSun();
   vtkNew<vtkPolyData> places;
   vtkNew<vtkPoints> points;
   vtkNew<vtkIntArray> kinds;
@@ -370,8 +373,9 @@ TEST_F(ObjectKinds, InstancesOfGlyphs)
 }
 
 // The box's sides do not share points, but their corners are at the same places.
-TEST_F(ObjectKinds, PiecesOfAMesh)
+TEST_F(ObjectIDs, PiecesOfAMesh)
 {
+  this->AddFloorAndSun();
   vtkNew<vtkAppendPolyData> together;
   for (const vtkSmartPointer<vtkPolyData>& body : ConvexBodies())
   {
@@ -383,9 +387,10 @@ TEST_F(ObjectKinds, PiecesOfAMesh)
 }
 
 // A bracket over itself: its own shadow comes and goes with the depths, and the technique says so.
-TEST_F(ObjectKinds, NothingShadowsItselfWithoutDepths)
+TEST_F(ObjectIDs, NothingShadowsItselfWithoutDepths)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddFloorAndSun();
   this->Renderer->RemoveAllViewProps();
   vtkNew<vtkAppendPolyData> bracket;
   for (const double height : { 0.0, 1.0 })
@@ -480,9 +485,10 @@ TEST_F(ObjectIDs, BitsOfADepth)
 
 // Eight bits of IDs for more objects: one warning, and with depths the shadows are right all the
 // same.
-TEST_F(ObjectKinds, MoreObjectsThanIDs)
+TEST_F(ObjectIDs, MoreObjectsThanIDs)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddFloorAndSun();
   vtkNew<vtkPolyData> places;
   vtkNew<vtkPoints> points;
   for (int i = 0; i < 400; ++i)
@@ -546,13 +552,18 @@ TEST_F(ObjectIDs, WhateverVTKDraws)
   AddSpot(this->Renderer, { 2.5, -3.0, 6.0 }, { 0.0, 0.0, 0.5 }, 40.0);
   auto lamp = AddLamp(this->Renderer, { -0.6, 0.3, 1.6 });
   this->Shadows->SetLightStrength(sun, 0.6);
+  this->Renderer->GetLights()->InitTraversal();
+  while (vtkLight* light = this->Renderer->GetLights()->GetNextItem())
+  {
+    light->SetIntensity(0.35); // together no brighter than white
+  }
 
   this->Shadows->SetTechnique("depth-map");
   const Frame byDepth = this->Render();
   this->Shadows->SetTechnique("none");
   const Frame lit = this->Render();
   CheckAtLeast(
-    "px that shadows change", static_cast<double>(CountDifferent(byDepth, lit, 8)), 2000.0);
+    "px that shadows change", static_cast<double>(CountDifferent(byDepth, lit, 8)), 5000.0);
   this->Shadows->SetTechnique("object-id");
   const double pixels = static_cast<double>(byDepth.rgb.size() / 3);
   for (int type = 0; type < vtkObjectIDShadowPass::GetNumberOfObjectTypes(); ++type)
@@ -581,7 +592,7 @@ TEST_F(ObjectIDs, WhateverVTKDraws)
   this->Shadows->ClearLightSettings(lamp);
   this->Maps()->CombineDepthOff();
   CheckAtLeast("px that IDs alone shadow",
-    static_cast<double>(CountDifferent(this->Render(), lit, 8)), 2000.0);
+    static_cast<double>(CountDifferent(this->Render(), lit, 8)), 5000.0);
 }
 
 // Sixteen lights at once, by all forms.
