@@ -208,6 +208,20 @@ TEST_F(ObjectIDs, UnseenViews)
   }
 }
 
+// Another caster a thousand times as far away along the light: the scene's depths are 1500 long, of
+// which 16 bits are steps of 0.02, and each object's own range is as short as ever.
+TEST_F(ObjectIDs, SmallObjectsInALargeScene)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->Resize(512, 384);
+  const Subject subject = AddBumpyMesh(this->Renderer);
+  const glm::dvec3 toward = Toward(60.0, 40.0);
+  AddSphere(this->Renderer, subject.centre + 1000.0 * subject.radius * toward, 0.1);
+  AddSun(this->Renderer, -toward);
+  AimCamera(this->Renderer, subject, 10.0, 20.0, 512, 384);
+  this->CheckBesideDepthMap("a caster far away");
+}
+
 // A point light in a closed room: the faces of a cube.
 TEST_F(ObjectIDs, PointLightInARoom)
 {
@@ -386,6 +400,48 @@ TEST_F(ObjectIDs, PiecesOfAMesh)
   this->CheckToldApart("instance", "piece", 2 + 1 + 12);
 }
 
+// Blocks that are each of two pieces.
+TEST_F(ObjectIDs, PiecesOfBlocks)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddFloorAndSun();
+  const std::vector<vtkSmartPointer<vtkPolyData>> bodies = ConvexBodies();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    vtkNew<vtkAppendPolyData> two;
+    two->AddInputData(bodies[i]);
+    two->AddInputData(bodies[i < 3 ? i + 9 : i + 3]); // of the last three, what shadows it
+    two->Update();
+    blocks->SetBlock(static_cast<unsigned int>(i), two->GetOutput());
+  }
+  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  this->CheckToldApart("block", "piece", 2 + 1 + 12);
+}
+
+// What does not cast has no ID in the map. It is lit where all of what the light sees lies behind
+// it.
+TEST_F(ObjectIDs, ReceiversThatDoNotCast)
+{
+  this->AddFloorAndSun();
+  this->Renderer->RemoveAllViewProps();
+  AddSphere(this->Renderer, { 0.0, 0.0, 0.5 }, 0.5);
+  auto above = AddBox(this->Renderer, { -1.0, -1.0, 1.5 }, { 1.0, 1.0, 1.6 });
+  auto below = AddBox(this->Renderer, { -2.0, -1.0, -1.1 }, { 2.0, 2.0, -1.0 });
+  vtkShadowPass::SetCastsShadows(above, false);
+  vtkShadowPass::SetCastsShadows(below, false);
+  below->VisibilityOff();
+  Check("px in shadow of what lies behind",
+    static_cast<double>(this->VisibilityOf(this->Light).CountShadowed()), 0.0);
+  below->VisibilityOn();
+  CheckAtLeast("px in shadow of what lies before",
+    static_cast<double>(this->VisibilityOf(this->Light).CountShadowed()), 500.0);
+}
+
 // A bracket over itself: its own shadow comes and goes with the depths, and the technique says so.
 TEST_F(ObjectIDs, NothingShadowsItselfWithoutDepths)
 {
@@ -481,6 +537,37 @@ TEST_F(ObjectIDs, BitsOfADepth)
   CheckAtLeast("px of 8 bits unlike 32", unlike[0], 10.0);
   CheckAtMost("px of 16 bits unlike 32", unlike[1], 0.2 * unlike[0]);
   CheckAtMost("px of 24 bits unlike 32", unlike[2], unlike[1]);
+}
+
+// The same as one mesh: as one object its 16 bits divide the whole range, piece by piece they do
+// not.
+TEST_F(ObjectIDs, RangesOfPieces)
+{
+  this->AddFloorAndSun();
+  vtkNew<vtkAppendPolyData> together;
+  for (const vtkSmartPointer<vtkPolyData>& body : ConvexBodies())
+  {
+    together->AddInputData(body);
+  }
+  vtkNew<vtkSphereSource> far;
+  far->SetCenter(-300.0, -400.0, 1000.0); // where the sun shines from
+  far->SetRadius(0.1);
+  far->Update();
+  together->AddInputData(far->GetOutput());
+  together->Update();
+  AddActor(this->Renderer, together->GetOutput());
+  this->Maps()->CombineDepthOn();
+  double unlike[2];
+  for (const int kind : { 0, 1 })
+  {
+    this->Maps()->SetObjectType(kind == 0 ? "prop" : "piece");
+    this->Maps()->SetDepthBits(32);
+    const Visibility fine = this->VisibilityOf(this->Light);
+    this->Maps()->SetDepthBits(8);
+    unlike[kind] = static_cast<double>(CountDifferent(this->VisibilityOf(this->Light), fine));
+  }
+  CheckAtLeast("px of 8 bits unlike 32, as one object", unlike[0], 1000.0);
+  CheckAtMost("px of 8 bits unlike 32, by piece", unlike[1], 0.1 * unlike[0]);
 }
 
 // Eight bits of IDs for more objects: one warning, and with depths the shadows are right all the
