@@ -113,6 +113,7 @@ protected:
     this->Light = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
     LookAt(this->Renderer, { 1.0, -6.0, 4.5 }, { 0.0, 0.0, 0.9 });
     this->Maps()->CombineDepthOff();
+    this->Render();
   }
 
   // By `type` as the truth has it, but for an edge a texel narrower; with the coarser one much is
@@ -789,6 +790,7 @@ TEST_F(ObjectIDs, StandIns)
   vtkShadowPass::SetStandIn(ball, hull->GetOutput());
   auto sun = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
   LookAt(this->Renderer, { 1.0, -7.0, 5.0 }, { 0.0, 0.0, 0.5 });
+  this->Render();
   const double deep = static_cast<double>(this->VisibilityOf(sun).CountShadowed());
   this->Maps()->CombineDepthOff();
   const double alone = static_cast<double>(this->VisibilityOf(sun).CountShadowed());
