@@ -30,9 +30,9 @@ const char* const ObjectTypeNames[] = { "prop", "block", "instance", "piece" };
 
 const int KnownDepthBits[] = { 8, 16, 24, 32 };
 
-// The ranges are a texture of as many texels as there are IDs, times the maps; every OpenGL has
-// 65536 of them.
+// Of 16 bits.
 constexpr int MostIDsEver = 65535;
+constexpr int MostIDsOf24Bits = 255; // beside a depth of them
 
 constexpr int MostTaps = 4;
 
@@ -208,10 +208,13 @@ double vtkObjectIDShadowPass::GetMarginTexels() const
   return 1.0 + std::max(0.5 * this->Taps, 1.0);
 }
 
-int vtkObjectIDShadowPass::MostIDs() const
+// The table of ranges has a row of all IDs, NoID included, for each map: six a light.
+int vtkObjectIDShadowPass::MostIDs(std::size_t lights) const
 {
-  const int bits = this->StoredBits();
-  return bits == 24 ? 255 : MostIDsEver;
+  const std::size_t maps = std::max<std::size_t>(6 * lights, 1);
+  const std::size_t row = vtkShadowTextureBuffer::LargestSize() / maps;
+  const int most = this->StoredBits() == 24 ? MostIDsOf24Bits : MostIDsEver;
+  return static_cast<int>(std::clamp<std::size_t>(row, 2, most + 1)) - 1;
 }
 
 //------------------------------------------------------------------------------
@@ -220,20 +223,19 @@ bool vtkObjectIDShadowPass::UpdateVisibility(
 {
   Internals& my = *this->Internal;
   my.Window = frame.Window;
-  if (my.Objects.Update(
-        *frame.Scene, static_cast<vtkShadowObjects::Kind>(this->ObjectType), this->MostIDs()))
+  const int most = this->MostIDs(lights.size());
+  if (my.Objects.Update(*frame.Scene, static_cast<vtkShadowObjects::Kind>(this->ObjectType), most))
   {
     my.Ranges.clear(); // their rows have another length; all maps are stale
     this->ForgetMaps();
   }
   const int objects = my.Objects.GetNumberOfObjects();
   this->WarnOnce(&my.Objects,
-    objects > this->MostIDs()
-      ? std::to_string(objects) + " objects share " + std::to_string(this->MostIDs()) +
+    objects > most ? std::to_string(objects) + " objects share " + std::to_string(most) +
         " IDs: those that share one are as one object. Set fewer DepthBits than " +
         std::to_string(this->DepthBits) + ", or an ObjectType of fewer objects than \"" +
         GetObjectTypeName(this->ObjectType) + "\"."
-      : std::string());
+                   : std::string());
   return this->Superclass::UpdateVisibility(frame, lights);
 }
 

@@ -17,11 +17,11 @@
  * a map is drawn again, see vtkMapShadowPass.
  *
  * Limits: an edge is as sharp as the map's texels. IDs are 32 - DepthBits bits wide and at most
- * 65535: further objects share them, one warning says so. Impostors, glyphs with level of detail or
- * of several data sets, and what a geometry shader draws (visible edges, wide lines) are one object
- * for each prop. Without CombineDepth a texel says no more of another object than its nearest
- * depth: a receiver between two parts of it, or one that does not cast itself, is in shadow of what
- * lies behind it.
+ * 65535, or what the driver's buffer textures hold of them for each map: further objects share
+ * them, one warning says so. Impostors, glyphs with level of detail or of several data sets, and
+ * what a geometry shader draws (visible edges, wide lines) are one object for each prop. Without
+ * CombineDepth a texel says no more of another object than its nearest depth: a receiver between
+ * two parts of it, or one that does not cast itself, is in shadow of what lies behind it.
  *
  * @par Reference
  * Hourcade and Nicolas: Algorithms for antialiased cast shadows, Computers and Graphics 9(3), 1985
@@ -138,7 +138,7 @@ private:
 
   std::string Defines() const;
   int StoredBits() const { return this->CombineDepth ? this->DepthBits : 0; }
-  int MostIDs() const;
+  int MostIDs(std::size_t lights) const;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

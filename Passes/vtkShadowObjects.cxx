@@ -119,6 +119,23 @@ std::vector<vtkPolyData*> DrawnMeshes(vtkOpenGLPolyDataMapper* mapper)
   return { mapper->CurrentInput };
 }
 
+// Of `meshes`, the one that `drawn` is, or is a shallow copy of.
+template <typename Meshes>
+auto OriginalOf(const Meshes& meshes, vtkPolyData* drawn)
+{
+  const auto known = meshes.find(drawn);
+  return known != meshes.end()
+    ? known
+    : std::find_if(meshes.begin(), meshes.end(),
+        [drawn](const auto& entry)
+        {
+          vtkPolyData* mesh = entry.first;
+          return mesh->GetPoints() == drawn->GetPoints() && mesh->GetPolys() == drawn->GetPolys() &&
+            mesh->GetStrips() == drawn->GetStrips() && mesh->GetLines() == drawn->GetLines() &&
+            mesh->GetVerts() == drawn->GetVerts();
+        });
+}
+
 void JoinCells(vtkshadows::ConnectedPieces& pieces, vtkCellArray* cells)
 {
   auto it = vtk::TakeSmartPointer(cells->NewIterator());
@@ -468,7 +485,7 @@ vtkShadowTextureBuffer* vtkShadowObjects::TableOf(
     {
       continue;
     }
-    const auto known = entry.Meshes.find(mesh);
+    const auto known = OriginalOf(entry.Meshes, mesh);
     const auto points = static_cast<std::size_t>(mesh->GetNumberOfPoints());
     for (std::size_t i = 0; i < points; ++i)
     {

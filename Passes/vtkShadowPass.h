@@ -84,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Technique of every light that has none of its own: "depth-map" (default), "stencil-volume",
-   * "ray-cast" or "none" (every light lit). An unknown name is an error that lists the known ones,
-   * and changes nothing.
+   * Technique of every light that has none of its own: "depth-map" (default), "object-id",
+   * "planar", "stencil-volume", "ray-cast" or "none" (every light lit). An unknown name is an error
+   * that lists the known ones, and changes nothing.
    */
   bool SetTechnique(const std::string& name);
   std::string GetTechnique() const;
@@ -113,7 +113,8 @@ public:
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
    * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" and
-   * "stencil-volume" soften by it; "depth-map" casts hard shadows whatever the radius.
+   * "stencil-volume" soften by it; "depth-map" and "object-id" cast hard shadows whatever the
+   * radius.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;

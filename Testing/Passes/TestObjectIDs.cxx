@@ -7,7 +7,10 @@
 #include "vtkShadowErrorMeasure.h"
 
 #include <vtkAppendPolyData.h>
+#include <vtkCompositePolyDataMapper.h>
+#if __has_include(<vtkCompositePolyDataMapper2.h>)
 #include <vtkCompositePolyDataMapper2.h>
+#endif
 #include <vtkCubeSource.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkIntArray.h>
@@ -292,6 +295,18 @@ vtkSmartPointer<vtkPolyData> MadeBy(vtkAlgorithm* source, const glm::dvec3& plac
   return moved->GetOutput();
 }
 
+// Those of this VTK: one draws each block by a mapper of its own, the other many blocks by one.
+std::vector<vtkSmartPointer<vtkMapper>> CompositeMappers()
+{
+  std::vector<vtkSmartPointer<vtkMapper>> mappers{
+    vtkSmartPointer<vtkCompositePolyDataMapper>::New()
+  };
+#if __has_include(<vtkCompositePolyDataMapper2.h>)
+  mappers.push_back(vtkSmartPointer<vtkCompositePolyDataMapper2>::New());
+#endif
+  return mappers;
+}
+
 // Convex bodies that hang over each other, of different kinds of points and cells.
 std::vector<vtkSmartPointer<vtkPolyData>> ConvexBodies()
 {
@@ -342,12 +357,15 @@ TEST_F(ObjectIDs, BlocksOfAComposite)
     (i % 2 ? blocks : inner)->SetBlock(static_cast<unsigned int>(bodies.size() - i), bodies[i]);
   }
   blocks->SetBlock(0, inner);
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
-  mapper->SetInputDataObject(blocks);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  this->Renderer->AddActor(actor);
-  this->CheckToldApart("prop", "block", 2 + 12);
+  for (const vtkSmartPointer<vtkMapper>& mapper : CompositeMappers())
+  {
+    mapper->SetInputDataObject(blocks);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->CheckToldApart("prop", "block", 2 + 12);
+    this->Renderer->RemoveActor(actor);
+  }
 }
 
 // Two sources, a mask, and instances of different sizes.
@@ -416,12 +434,15 @@ TEST_F(ObjectIDs, PiecesOfBlocks)
     two->Update();
     blocks->SetBlock(static_cast<unsigned int>(i), two->GetOutput());
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
-  mapper->SetInputDataObject(blocks);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  this->Renderer->AddActor(actor);
-  this->CheckToldApart("block", "piece", 2 + 1 + 12);
+  for (const vtkSmartPointer<vtkMapper>& mapper : CompositeMappers())
+  {
+    mapper->SetInputDataObject(blocks);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->CheckToldApart("block", "piece", 2 + 1 + 12);
+    this->Renderer->RemoveActor(actor);
+  }
 }
 
 // What does not cast has no ID in the map. It is lit where all of what the light sees lies behind
