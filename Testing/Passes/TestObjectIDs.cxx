@@ -67,10 +67,12 @@ protected:
     found.gross = static_cast<double>(error->GetGrossFalsePixels() + error->GetGrossMissedPixels());
     found.receivers = static_cast<double>(error->GetReceiverPixels());
     found.shadow = static_cast<double>(error->GetShadowPixels());
-    std::printf("%-34s %-10s mismatch %.4f %% gross %lld false, %lld missed of %.0f\n",
+    std::printf("%-34s %-10s mismatch %.4f %% gross %lld false, %lld missed of %.0f, mean absolute "
+                "difference %.5f\n",
       what.c_str(), technique.c_str(), found.mismatch,
       static_cast<long long>(error->GetGrossFalsePixels()),
-      static_cast<long long>(error->GetGrossMissedPixels()), found.receivers);
+      static_cast<long long>(error->GetGrossMissedPixels()), found.receivers,
+      error->GetMeanAbsoluteDifference());
     EXPECT_GT(found.shadow, found.receivers / 100) << what << ": few shadows";
     return found;
   }
