@@ -21,7 +21,7 @@ public:
     R32F,
     RG32F,
     R32UI, // sampled as integers
-    R8 // 0..255 read as 0..1
+    R8     // 0..255 read as 0..1
   };
 
   vtkShadowTextureArray() = default;
