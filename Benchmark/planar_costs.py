@@ -49,13 +49,15 @@ def two_bodies(light, side=224):
     return renderer
 
 
-def passes(renderer):
+WAYS = {
+    "planar": ("planar", {}),
+    "planar, textures": ("planar", {"plane_textures": True}),
+    "depth-map": ("depth-map", {}),
+}
+
+
+def passes(renderer, ways):
     """The ways to compare, each a vtkShadowPass of its own."""
-    ways = {
-        "planar": ("planar", {}),
-        "planar, textures": ("planar", {"plane_textures": True}),
-        "depth-map": ("depth-map", {}),
-    }
     made = {}
     for name, (technique, settings) in ways.items():
         made[name] = vtkshadows.enable(renderer, technique, **settings)
@@ -63,7 +65,7 @@ def passes(renderer):
     return made
 
 
-def compare(light, rounds):
+def compare(light, rounds, ways=WAYS):
     """Ratios to the unshadowed frame, every way in every round, so that all share the machine's moods."""
     renderer = two_bodies(light)
     window = vtkRenderWindow()
@@ -75,7 +77,7 @@ def compare(light, rounds):
     lamp = switched_on(renderer)[0]
     place = lamp.GetPosition()
     camera = renderer.GetActiveCamera()
-    ways = passes(renderer)
+    ways = passes(renderer, ways)
     unshadowed, ratios = [], {name: ([], []) for name in ways}
     for i in range(WARM_UP + rounds):
         renderer.SetPass(None)

@@ -1,6 +1,7 @@
 #include "vtkMapShadowPass.h"
 
 #include "vtkMapShadowPassLookup.h"
+#include "vtkMapShadowPassTexels.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
@@ -111,13 +112,15 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
   const int side = this->WithinDriver("Resolution", this->Resolution);
   const std::size_t cubes = this->Views->Faces().size() / 6;
   const std::string define = "#define " + this->GetMacroPrefix();
-  const std::string projection =
-    Replaced(Replaced(vtkMapShadowPassLookup, "shadowMap", this->GetLookupPrefix()), "SHADOW_MAP",
-      this->GetMacroPrefix());
+  const auto named = [this](const char* text)
+  {
+    return Replaced(
+      Replaced(text, "shadowMap", this->GetLookupPrefix()), "SHADOW_MAP", this->GetMacroPrefix());
+  };
   return define + "_WIDTH " + std::to_string(LayerWidth(side)) + "\n" + define + "_HEIGHT " +
     std::to_string(side) + "\n" +
     (cubes > 0 ? define + "_CUBES " + std::to_string(cubes) + "\n" : "") +
-    this->GetCompareDeclarations() + projection;
+    named(vtkMapShadowPassTexels) + this->GetCompareDeclarations() + named(vtkMapShadowPassLookup);
 }
 
 std::string vtkMapShadowPass::GetLookupFunction(int slot, vtkProp*) const

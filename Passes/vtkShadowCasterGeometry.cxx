@@ -530,6 +530,27 @@ vtkShadowCasterGeometry::VertexPlace vtkShadowCasterGeometry::PlaceOfVertices(vt
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::vector<glm::dmat4>> vtkShadowCasterGeometry::InstancesOf(vtkGlyph3DMapper* mapper)
+{
+  auto* points = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const int count = mapper->GetNumberOfInputConnections(1);
+  if (!points || count < 1 || mapper->GetUseSourceTableTree())
+  {
+    return {};
+  }
+  std::vector<std::vector<glm::dmat4>> instances(count);
+  const GlyphPlacer placer(mapper, points);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    if (!placer.IsMasked(i))
+    {
+      instances[placer.SourceOf(i, count)].push_back(placer.ModelFromGlyph(i));
+    }
+  }
+  return instances;
+}
+
+//------------------------------------------------------------------------------
 vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(const vtkShadowScene::Piece& piece,
   const glm::dmat4& traceFromModel, const glm::dmat4& worldFromTrace)
 {

@@ -5,11 +5,14 @@
 
 #include "vtkShadowSceneData.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <string>
 #include <vector>
+
+class vtkGlyph3DMapper;
 
 struct vtkShadowCasterGeometry
 {
@@ -35,6 +38,11 @@ struct vtkShadowCasterGeometry
     }
   };
   static VertexPlace PlaceOfVertices(vtkMapper* mapper);
+
+  // Where a glyph mapper puts each of its sources: a matrix for each instance, in the order in
+  // which VTK draws them. Empty if it draws sources from a tree, or at the points of several data
+  // sets.
+  static std::vector<std::vector<glm::dmat4>> InstancesOf(vtkGlyph3DMapper* mapper);
 
   // Extract `piece`, in a space of the caller's (so that floats are relative to the scene, or the
   // caster); worldFromTrace is needed only where the mapper has clipping planes.

@@ -25,7 +25,7 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   , Width(depth.Width())
   , Height(depth.Height())
   , HasColour(colour != nullptr)
-  , HasIntegers(colour != nullptr && colour->HasIntegers())
+  , ColourIsInteger(colour != nullptr && colour->IsInteger())
 {
   this->State->PushFramebufferBindings();
   glGenFramebuffers(1, &this->Framebuffer);
@@ -79,7 +79,7 @@ void vtkShadowDrawScope::Clear(const float rgba[4])
 //------------------------------------------------------------------------------
 void vtkShadowDrawScope::ClearColour(const float rgba[4])
 {
-  if (this->HasIntegers)
+  if (this->ColourIsInteger)
   {
     const GLuint none[4] = { 0, 0, 0, 0 };
     glClearBufferuiv(GL_COLOR, 0, none);

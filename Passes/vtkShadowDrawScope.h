@@ -25,7 +25,7 @@ public:
   // alone.
   void Confine(int width, int height, int border);
 
-  // Depth to 1, colour to rgba; one of integers to 0.
+  // Depth to 1, colour to rgba; a colour of integers to 0.
   void Clear(const float rgba[4]);
   // The same, of the colour alone.
   void ClearColour(const float rgba[4]);
@@ -49,7 +49,7 @@ private:
   int Width;
   int Height;
   bool HasColour;
-  bool HasIntegers;
+  bool ColourIsInteger;
   bool Complete = false;
   unsigned int Framebuffer = 0;
 };

@@ -1,6 +1,7 @@
 #include "vtkShadowPass.h"
 
 #include "vtkDepthShadowMapPass.h"
+#include "vtkObjectIDShadowPass.h"
 #include "vtkPlanarShadowPass.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowMeasured.h"
@@ -438,6 +439,7 @@ vtkShadowPass::vtkShadowPass()
   : Internal(new Internals)
 {
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkDepthShadowMapPass::New()));
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkObjectIDShadowPass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkPlanarShadowPass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkStencilShadowVolumePass::New()));
 #ifdef VTKSHADOWS_WITH_EMBREE
@@ -730,6 +732,12 @@ vtkShadowTechniquePass* vtkShadowPass::GetTechniquePass(const std::string& name)
 vtkDepthShadowMapPass* vtkShadowPass::GetDepthShadowMapPass()
 {
   return vtkDepthShadowMapPass::SafeDownCast(this->Internal->Find("depth-map"));
+}
+
+//------------------------------------------------------------------------------
+vtkObjectIDShadowPass* vtkShadowPass::GetObjectIDShadowPass()
+{
+  return vtkObjectIDShadowPass::SafeDownCast(this->Internal->Find("object-id"));
 }
 
 //------------------------------------------------------------------------------

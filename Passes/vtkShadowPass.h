@@ -23,8 +23,9 @@
  * RECEIVES_SHADOWS 0: always lit.
  * A third, CASTER_STAND_IN (SetStandIn), has another mesh cast in a prop's place.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
- * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
- * (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but shadow.
+ * receives from techniques of the lookup form (depth-map, object-id) and is lit by those of the
+ * mask form (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but
+ * shadow.
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
  * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
@@ -39,7 +40,7 @@
  * Crow, F.: Shadow algorithms for computer graphics, SIGGRAPH 1977 (shadow volumes);
  * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
  *
- * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkPlanarShadowPass
+ * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkObjectIDShadowPass vtkPlanarShadowPass
  *     vtkStencilShadowVolumePass vtkRayCastShadowPass
  * vtkShadowErrorMeasure
  */
@@ -58,6 +59,7 @@ class vtkImageData;
 class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
 class vtkInformationObjectBaseKey;
+class vtkObjectIDShadowPass;
 class vtkLight;
 class vtkPolyData;
 class vtkProp;
@@ -82,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Technique of every light that has none of its own: "depth-map" (default), "stencil-volume",
-   * "ray-cast" or "none" (every light lit). An unknown name is an error that lists the known ones,
-   * and changes nothing.
+   * Technique of every light that has none of its own: "depth-map" (default), "object-id",
+   * "planar", "stencil-volume", "ray-cast" or "none" (every light lit). An unknown name is an error
+   * that lists the known ones, and changes nothing.
    */
   bool SetTechnique(const std::string& name);
   std::string GetTechnique() const;
@@ -111,7 +113,8 @@ public:
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
    * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" and
-   * "stencil-volume" soften by it; "depth-map" casts hard shadows whatever the radius.
+   * "stencil-volume" soften by it; "depth-map" and "object-id" cast hard shadows whatever the
+   * radius.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;
@@ -145,6 +148,7 @@ public:
    * The techniques' own settings. GetRayCastShadowPass is nullptr in a build without Embree.
    */
   vtkDepthShadowMapPass* GetDepthShadowMapPass();
+  vtkObjectIDShadowPass* GetObjectIDShadowPass();
   vtkPlanarShadowPass* GetPlanarShadowPass();
   vtkStencilShadowVolumePass* GetStencilShadowVolumePass();
   vtkRayCastShadowPass* GetRayCastShadowPass();

@@ -46,6 +46,17 @@ void vtkShadowTechniquePass::DeactivateTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkShadowTechniquePass::ObjectCode vtkShadowTechniquePass::GetObjectCode(bool) const
+{
+  return {};
+}
+
+vtkShadowTechniquePass::CasterCode vtkShadowTechniquePass::GetCasterCode() const
+{
+  return { "vec4", "", "vec4(1.0)" };
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTechniquePass::WarnOnce(const void* subject, const std::string& message)
 {
   const auto known = std::find_if(this->Warned.begin(), this->Warned.end(),

@@ -25,6 +25,7 @@
 #include <string> // for std::string
 #include <vector> // for std::vector
 
+class vtkAbstractMapper;
 class vtkProp;
 class vtkShaderProgram;
 class vtkShadowPass;
@@ -122,6 +123,36 @@ protected:
    * LOOKUP: set further uniforms of the declarations, for what this prop shows.
    */
   virtual void SetLookupParameters(vtkShaderProgram*, vtkProp*) {}
+
+  ///@{
+  /**
+   * LOOKUP, if its functions ask which object a fragment is of, and so do the maps that it has
+   * drawn (vtkShadowedShadingPass::DrawCasters, with `writer`). GLSL of the vertex shader,
+   * declarations and one statement; and of the fragment shader, ahead of the other declarations.
+   * `byVertex`: no geometry shader stands between the two; else all must be in the fragment shader.
+   * And what each draw of a prop by a mapper is told: `mapper` may be one that the prop's own
+   * mapper draws through, and `prop` a copy that has the prop's keys.
+   */
+  struct ObjectCode
+  {
+    std::string VertexDeclarations;
+    std::string VertexStatement;
+    std::string FragmentDeclarations;
+  };
+  virtual ObjectCode GetObjectCode(bool byVertex) const;
+  virtual void SetObjectParameters(vtkShaderProgram*, vtkAbstractMapper*, vtkProp*) {}
+  /**
+   * What casters write, as the type of the fragment shader's output ("vec4", "uvec4"), GLSL
+   * declarations, and an expression of `depth`, window space.
+   */
+  struct CasterCode
+  {
+    std::string OutputType;
+    std::string Declarations;
+    std::string Expression;
+  };
+  virtual CasterCode GetCasterCode() const;
+  ///@}
 
   /**
    * Draw a view that explains the visibility of the light in `slot` over the frame, in the bound

@@ -20,8 +20,8 @@ public:
     RGBA32F,
     R32F,
     RG32F,
-    R32UI, // read by a usampler2DArray
-    R8 // 0..255 read as 0..1
+    R32UI, // sampled as integers
+    R8     // 0..255 read as 0..1
   };
 
   vtkShadowTextureArray() = default;
@@ -54,7 +54,7 @@ public:
   // Trade contents; neither may be bound.
   void Swap(vtkShadowTextureArray& other);
 
-  bool HasIntegers() const { return this->TexelFormat == Format::R32UI; }
+  bool IsInteger() const { return this->TexelFormat == Format::R32UI; }
   bool HasStencil() const { return this->TexelFormat == Format::Depth24Stencil8; }
 
   unsigned int Id() const { return this->Texture; }

@@ -142,6 +142,16 @@ void PlaceSurface(std::string& geometryShader, std::string& fragmentShader, bool
   }
 }
 
+// Ahead of main, in any shader.
+void DeclareAhead(std::string& source, const std::string& code)
+{
+  const std::size_t main = source.rfind("void main");
+  if (main != std::string::npos)
+  {
+    source.insert(main, code);
+  }
+}
+
 // The end of main in a shader of the user's own, which has no tag there.
 void AppendToMain(std::string& source, const std::string& code)
 {
@@ -331,15 +341,17 @@ void vtkShadowedShadingPass::Detach()
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
   const std::vector<std::size_t>& props, const vtkshadows::LightView& view,
-  const std::unordered_map<vtkProp*, unsigned int>& culled, bool writesDepth)
+  const std::unordered_map<vtkProp*, unsigned int>& culled, bool writesDepth,
+  vtkShadowTechniquePass* writer)
 {
   this->Culled = culled;
   this->CastersWriteDepth = writesDepth;
+  this->Writer = writer;
   vtkRenderer* renderer = frame.Renderer;
   const vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
   renderer->SetActiveCamera(this->CasterCamera);
-  this->SetStage(CASTERS);
+  this->SetStage(writer ? TEXELS : CASTERS);
   // What lies before the near plane still casts.
   glEnable(GL_DEPTH_CLAMP);
 
@@ -538,6 +550,25 @@ std::string vtkShadowedShadingPass::FactorCode(std::size_t light) const
 }
 
 //------------------------------------------------------------------------------
+// Which object a fragment is of, for the lookups that ask; returns what the fragment shader
+// declares.
+std::string vtkShadowedShadingPass::PlaceObjects(std::string& vertexShader, bool byVertex) const
+{
+  std::string declarations;
+  for (const vtkShadowTechniquePass* technique : this->Techniques)
+  {
+    if (this->CurrentStage != POSITIONS)
+    {
+      const vtkShadowTechniquePass::ObjectCode object = technique->GetObjectCode(byVertex);
+      DeclareAhead(vertexShader, object.VertexDeclarations);
+      AppendToMain(vertexShader, object.VertexStatement);
+      declarations += object.FragmentDeclarations;
+    }
+  }
+  return declarations;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader, bool isImpostor,
   bool isCatcher, vtkAbstractMapper* mapper, vtkProp* prop) const
 {
@@ -629,7 +660,8 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
     std::string output = this->CurrentStage == COVERAGE
       ? "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n"
       : "  gl_FragData[0] = vec4(1.0);\n";
-    if (this->CurrentStage == CASTERS && this->Dithered.count(prop) != 0)
+    if ((this->CurrentStage == CASTERS || this->CurrentStage == TEXELS) &&
+      this->Dithered.count(prop) != 0)
     {
       vtkShaderProgram::Substitute(
         fragmentShader, "//VTK::Light::Dec", std::string(vtkShadowDitherFS), false);
@@ -687,7 +719,11 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   {
     if (this->CurrentStage != COVERAGE)
     {
-      PlaceSurface(geometryShader, fragmentShader, this->CurrentStage == CASTERS);
+      PlaceSurface(geometryShader, fragmentShader, this->DrawsCasters());
+    }
+    if (this->CurrentStage == TEXELS)
+    {
+      this->PlaceTexels(vertexShader, geometryShader, fragmentShader);
     }
     return true;
   }
@@ -721,8 +757,30 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   vtkShaderProgram::Substitute(
     fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor, mapper, prop));
+  const std::string objects = this->PlaceObjects(vertexShader, geometryShader.empty());
+  vtkShaderProgram::Substitute(fragmentShader, DeclarationMark, objects + DeclarationMark);
   this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices, mapper, prop);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// The colour that VTK makes is kept for its discards alone.
+void vtkShadowedShadingPass::PlaceTexels(
+  std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const
+{
+  const bool byVertex = geometryShader.empty();
+  const vtkShadowTechniquePass::ObjectCode object = this->Writer->GetObjectCode(byVertex);
+  const vtkShadowTechniquePass::CasterCode caster = this->Writer->GetCasterCode();
+  DeclareAhead(vertexShader, object.VertexDeclarations);
+  AppendToMain(vertexShader, object.VertexStatement);
+  const bool movesDepth = fragmentShader.find("gl_FragDepth =") != std::string::npos;
+  vtkShaderProgram::Substitute(fragmentShader, "gl_FragData[0]", "shadowColour");
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Output::Dec",
+    "out " + caster.OutputType + " shadowTexel;\nvec4 shadowColour = vec4(1.0);\n");
+  DeclareAhead(fragmentShader, object.FragmentDeclarations + caster.Declarations);
+  AppendToMain(fragmentShader,
+    std::string("  float depth = ") + (movesDepth ? "gl_FragDepth" : "gl_FragCoord.z") +
+      ";\n  shadowTexel = " + caster.Expression + ";\n");
 }
 
 //------------------------------------------------------------------------------
@@ -746,10 +804,14 @@ void vtkShadowedShadingPass::SetStage(Stage stage)
 
 //------------------------------------------------------------------------------
 bool vtkShadowedShadingPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  if (this->CurrentStage == CASTERS)
+  if (this->DrawsCasters())
   {
+    if (this->CurrentStage == TEXELS)
+    {
+      this->Writer->SetObjectParameters(program, mapper, prop);
+    }
     // Every face casts that is not told to lie behind another, and a translucent caster writes its
     // depth, too. The lights need not be set, and must not be: this camera is not the eye.
     const auto culled = this->Culled.find(prop);
@@ -816,6 +878,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     program->SetUniformi(
       technique->GetSamplerName().c_str(), (own ? own : technique->GetTextures())->Unit());
     technique->SetLookupParameters(program, prop);
+    technique->SetObjectParameters(program, mapper, prop);
   }
   if (isCatcher)
   {

@@ -61,6 +61,7 @@ public:
   {
     SHADE,     // the frame
     CASTERS,   // depth from a light
+    TEXELS,    // the same, and what a technique has its casters write
     DEPTHS,    // depth from the eye
     COVERAGE,  // what the frame shows in front, and as a colour (1, its surface's depth)
     POSITIONS, // the receivers' positions and normals
@@ -92,10 +93,10 @@ public:
   // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's,
   // into the bound framebuffer. Camera and stage are as before afterwards. `culled`: the faces,
   // GL_FRONT or GL_BACK, that need not be drawn of a part. Of casters the depth is written, or
-  // their colour, white, alone.
+  // their colour, white, alone; with `writer` the depth, and what that technique has them write.
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled,
-    bool writesDepth = true);
+    bool writesDepth = true, vtkShadowTechniquePass* writer = nullptr);
   void DrawReceivers(
     const vtkShadowFrame& frame, Stage stage, const std::vector<std::size_t>* props = nullptr);
   // After Attach. Where a shadow catcher may lie before another receiver, masks are made in two
@@ -134,6 +135,9 @@ private:
   void operator=(const vtkShadowedShadingPass&) = delete;
 
   std::string Declarations() const;
+  std::string PlaceObjects(std::string& vertexShader, bool byVertex) const;
+  void PlaceTexels(
+    std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const;
   bool Tells(std::size_t light, vtkAbstractMapper* mapper, vtkProp* prop) const;
   std::string FactorCode(std::size_t light) const;
   std::string LightCode(const std::string& fragmentShader, bool isImpostor, bool isCatcher,
@@ -151,8 +155,11 @@ private:
   void ClampDepth(bool clamped);
   bool DrawsDepthAlone() const
   {
-    return this->CurrentStage == CASTERS || this->CurrentStage == DEPTHS ||
-      this->CurrentStage == COVERAGE;
+    return this->DrawsCasters() || this->CurrentStage == DEPTHS || this->CurrentStage == COVERAGE;
+  }
+  bool DrawsCasters() const
+  {
+    return this->CurrentStage == CASTERS || this->CurrentStage == TEXELS;
   }
 
   std::vector<LightPlan> Plan;
@@ -173,6 +180,7 @@ private:
   std::unordered_set<vtkProp*> Dithered;             // leaves and tops that cast by opacity
   std::unordered_map<vtkProp*, unsigned int> Culled; // while casters are drawn
   bool CastersWriteDepth = true;                     // the same
+  vtkShadowTechniquePass* Writer = nullptr;          // the same, in TEXELS
   float MaskSize[2] = { 0.0f, 0.0f };
   bool MaskIsPixels = true;
   int ParallelEye = 0;

@@ -8,6 +8,7 @@
 #include <vtkDepthShadowMapPass.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkObjectIDShadowPass.h>
 #include <vtkPlanarShadowPass.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -93,6 +94,7 @@ void Stage::SetMapResolution(std::optional<int> resolution)
       "choose at most " + std::to_string(limit));
   }
   this->shadows->GetDepthShadowMapPass()->SetResolution(*resolution);
+  this->shadows->GetObjectIDShadowPass()->SetResolution(*resolution);
 }
 
 void Stage::SetLightSamples(std::optional<int> samples)

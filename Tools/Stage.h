@@ -30,7 +30,7 @@ struct StageSettings
   std::optional<glm::dvec3> up;
   FloorSpec floor;
   WindowSize size;
-  std::optional<int> resolution;   // of depth maps, texels
+  std::optional<int> resolution;   // of depth and object-ID maps, texels
   std::optional<int> lightSamples; // of a light with a radius
 };
 

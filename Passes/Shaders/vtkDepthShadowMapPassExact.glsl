@@ -28,7 +28,7 @@ struct ShadowDepthMapRay
 };
 
 // A corner: where it lies beside the ray, its depth, and what is beyond the side that follows.
-vec4 shadowDepthMapCorner(ShadowDepthMapRay ray, int texel)
+vec4 shadowDepthMapVertex(ShadowDepthMapRay ray, int texel)
 {
   vec4 v = texelFetch(shadowDepthMapCorners, texel);
 #ifdef SHADOW_DEPTH_MAP_DIRECT
@@ -79,12 +79,12 @@ float shadowDepthMapCross(vec2 a, vec2 b)
 
 float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 {
-  vec2 corner = shadowDepthMapCornerAt(p.xy);
+  vec2 corner = shadowDepthMapCorner(p.xy);
   vec2 f = p.xy + 0.5 - corner;
   vec4 depth = shadowDepthMapGather(layer, corner);
 
   // The receiver's plane at the four centres.
-  float z = p.z - min(shadowDepthMapSnap * (abs(slope.x) + abs(slope.y)), 1.0);
+  float z = p.z - min(shadowDepthMapSnap * shadowDepthMapRise(slope), 1.0);
   float atCorner = z - dot(slope, f);
   vec4 receiver =
     vec4(atCorner + slope.y, atCorner + slope.x + slope.y, atCorner + slope.x, atCorner);
@@ -92,7 +92,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 
   // Where all four texels hide it by more than a surface through it would, it is in shadow, if only of one too thin
   // to be followed. Else the nearest of those that hide it comes first.
-  float apart = 0.5 * (abs(slope.x) + abs(slope.y));
+  float apart = 0.5 * shadowDepthMapRise(slope);
   bool isHidden = all(lessThan(depth, min(receiver - apart, 1.0)));
   vec2 g = 1.0 - f;
   const vec4 tieBreak = vec4(0.0012, 0.0014, 0.0016, 0.0018);
@@ -117,7 +117,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 #ifdef SHADOW_DEPTH_MAP_PLAIN
     isPlain = isPlain || (best > 0.0 && at == 0u);
 #endif
-    // A texel whose depth is that of the same surface need not be tried after it: see shadowDepthMapBlend.
+    // A texel whose depth is that of the same surface need not be tried after it: see shadowDepthMapIsOnSurface.
     rank *= vec4(greaterThan(abs(depth - dot(depth, vec4(chosen))), vec4(8.0 * apart)));
     best = max(max(rank.x, rank.y), max(rank.z, rank.w));
 
@@ -125,9 +125,9 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     for (int walked = 0; walked < shadowDepthMapMostSteps; ++walked)
     {
       int texel = max(3 * int(at) - 3, 0);
-      vec4 a = shadowDepthMapCorner(ray, texel);
-      vec4 b = shadowDepthMapCorner(ray, texel + 1);
-      vec4 c = shadowDepthMapCorner(ray, texel + 2);
+      vec4 a = shadowDepthMapVertex(ray, texel);
+      vec4 b = shadowDepthMapVertex(ray, texel + 1);
+      vec4 c = shadowDepthMapVertex(ray, texel + 2);
       // On which side of each side the ray passes; to a rounding, on it is within.
       vec3 weight = vec3(
         shadowDepthMapCross(b.xy, c.xy), shadowDepthMapCross(c.xy, a.xy), shadowDepthMapCross(a.xy, b.xy));
@@ -158,7 +158,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 #ifdef SHADOW_DEPTH_MAP_PLAIN
   // Of what was drawn under no number, nothing but the depth is known.
   lit = isHidden && !isPlain ? 0.0 : lit;
-  lit = isPlain ? min(lit, shadowDepthMapBlend(depth, p, slope, f)) : lit;
+  lit = isPlain ? min(lit, shadowDepthMapCompareFour(depth, p, slope, f)) : lit;
 #endif
   return lit;
 }

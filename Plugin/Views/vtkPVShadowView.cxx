@@ -2,6 +2,7 @@
 
 #include "vtkDepthShadowMapPass.h"
 #include "vtkObjectFactory.h"
+#include "vtkObjectIDShadowPass.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkShadowPass.h"
 
@@ -29,6 +30,7 @@ void vtkPVShadowView::SetTechnique(const char* name)
 void vtkPVShadowView::SetResolution(int resolution)
 {
   this->Shadows->GetDepthShadowMapPass()->SetResolution(resolution);
+  this->Shadows->GetObjectIDShadowPass()->SetResolution(resolution);
   this->Modified();
 }
 

@@ -27,8 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Technique of every light: "depth-map" (default), "planar", "stencil-volume", "ray-cast" or
-   * "none". An unknown name is an error and changes nothing.
+   * Technique of every light: "depth-map" (default), "object-id", "planar", "stencil-volume",
+   * "ray-cast" or "none". An unknown name is an error and changes nothing.
    */
   void SetTechnique(const char* name);
 

@@ -62,6 +62,7 @@ from .vtkShadowsFilters import (
     vtkShadowVolumeFilter,
 )
 from .vtkShadowsPasses import (
+    vtkObjectIDShadowPass,
     vtkPlanarShadowPass,
     vtkShadowErrorMeasure,
     vtkShadowFloor,
@@ -84,6 +85,7 @@ __all__ = [
     "techniques",
     "visibility",
     "volume_counts",
+    "vtkObjectIDShadowPass",
     "vtkPlanarShadowFilter",
     "vtkPlanarShadowPass",
     "vtkShadowErrorMeasure",
@@ -100,7 +102,7 @@ def techniques() -> List[str]:
     """Names of the techniques there are in this build, "none" included.
 
     >>> vtkshadows.techniques()
-    ['depth-map', 'planar', 'stencil-volume', 'ray-cast', 'none']
+    ['depth-map', 'object-id', 'planar', 'stencil-volume', 'ray-cast', 'none']
     """
     return _names_from(vtkShadowPass.GetTechniqueNames)
 
@@ -122,7 +124,14 @@ def enable(
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
         of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
         size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
-    resolution : depth-map: texels on the longer side of each map, 1 or more (2048).
+    resolution : depth-map and object-id: texels on the longer side of each map, 1 or more (2048).
+    object_type : object-id: what has an ID of its own: "prop" (default), "block" (of composite data sets,
+        too), "instance" (of glyphs, too) or "piece" (connected pieces of meshes, too).
+    object_depth : object-id: keep a depth beside each ID (True). False: no object shadows itself.
+    object_depth_bits : object-id: bits of that depth, within the object's own range: 8, 16 (default), 24 or
+        32 (a float). With 24 there are 255 IDs, which further objects share; else 65535.
+    object_taps : object-id: test n x n texels, 1 to 4 (2): blended, or without depths in shadow where all
+        agree.
     light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
         4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
     variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
@@ -666,6 +675,37 @@ def _ray_cast(shadows: vtkShadowPass) -> Any:
 
 def _set_resolution(shadows, renderer, value):
     shadows.GetDepthShadowMapPass().SetResolution(value)
+    shadows.GetObjectIDShadowPass().SetResolution(value)
+
+
+_OBJECT_TYPES = {
+    "prop": vtkObjectIDShadowPass.PROP,
+    "block": vtkObjectIDShadowPass.BLOCK,
+    "instance": vtkObjectIDShadowPass.INSTANCE,
+    "piece": vtkObjectIDShadowPass.PIECE,
+}
+
+
+def _set_object_type(shadows, renderer, value):
+    shadows.GetObjectIDShadowPass().SetObjectType(_OBJECT_TYPES[value])
+
+
+def _set_object_depth(shadows, renderer, value):
+    shadows.GetObjectIDShadowPass().SetCombineDepth(value)
+
+
+def _depth_bits(name, value):
+    if value not in (8, 16, 24, 32):
+        raise ValueError(f"{name}: {value!r} is not one of 8, 16, 24 and 32")
+    return int(value)
+
+
+def _set_object_depth_bits(shadows, renderer, value):
+    shadows.GetObjectIDShadowPass().SetDepthBits(value)
+
+
+def _set_object_taps(shadows, renderer, value):
+    shadows.GetObjectIDShadowPass().SetTaps(value)
 
 
 def _set_light_samples(shadows, renderer, value):
@@ -776,6 +816,10 @@ class _Setting:
 
 _SETTINGS = {
     "resolution": _Setting(lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_resolution),
+    "object_type": _Setting(lambda n, v: _one_of(n, v, _OBJECT_TYPES), _set_object_type),
+    "object_depth": _Setting(_flag, _set_object_depth),
+    "object_depth_bits": _Setting(_depth_bits, _set_object_depth_bits),
+    "object_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 4), _set_object_taps),
     "light_samples": _Setting(lambda n, v: _whole_number(n, v, 1, 4096), _set_light_samples),
     "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
     "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),
@@ -903,6 +947,7 @@ class _VtkErrors:
         if shadows is not None:
             parts += [
                 shadows.GetDepthShadowMapPass(),
+                shadows.GetObjectIDShadowPass(),
                 shadows.GetPlanarShadowPass(),
                 shadows.GetStencilShadowVolumePass(),
                 shadows.GetRayCastShadowPass(),

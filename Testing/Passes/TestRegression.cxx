@@ -99,6 +99,14 @@ TEST_F(Regression, StillLifeByDepthMap)
   this->CheckPicture("StillLifeByDepthMap");
 }
 
+TEST_F(Regression, StillLifeByObjectID)
+{
+  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->AddFillLight();
+  this->Shadows->SetTechnique("object-id");
+  this->CheckPicture("StillLifeByObjectID");
+}
+
 TEST_F(Regression, StillLifeByRayCast)
 {
   SHADOWTEST_NEEDS_RAY_CAST();

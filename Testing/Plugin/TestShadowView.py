@@ -64,13 +64,15 @@ class TestShadowView(unittest.TestCase):
             self.assertLessEqual(far.sum(), 20)
 
     def test_resolution(self):
-        VIEW.Technique = "depth-map"
-        fine = screenshot(VIEW, "resolution-2048")
-        VIEW.Resolution = 16
-        coarse = screenshot(VIEW, "resolution-16")
-        different = int((fine != coarse).any(axis=2).sum())
-        print(f"pixels that a coarse map changes: got {different}, expected 20 or more")
-        self.assertGreaterEqual(different, 20)
+        for technique in ("depth-map", "object-id"):
+            VIEW.Technique = technique
+            VIEW.Resolution = 2048
+            fine = screenshot(VIEW, "resolution-2048")
+            VIEW.Resolution = 16
+            coarse = screenshot(VIEW, "resolution-16")
+            different = int((fine != coarse).any(axis=2).sum())
+            print(f"pixels that a coarse {technique} changes: got {different}, expected 20 or more")
+            self.assertGreaterEqual(different, 20)
 
     def test_spot_light(self):
         self.light.Type = "Positional"

@@ -27,6 +27,10 @@ class TestArguments(unittest.TestCase):
             ("unknown setting 'resolutoin'; there are resolution", dict(resolutoin=1)),
             ("resolution: 0 is out of range; give 1", dict(resolution=0)),
             ("resolution: 1.5 is not a whole number", dict(resolution=1.5)),
+            ("object_type: 'atom' is not known; there are prop, block", dict(object_type="atom")),
+            ("object_depth: 1 is not True or False", dict(object_depth=1)),
+            ("object_depth_bits: 12 is not one of 8, 16, 24 and 32", dict(object_depth_bits=12)),
+            ("object_taps: 5 is out of range; give 1 to 4", dict(object_taps=5)),
             ("light_samples: 5000 .* give 1 to 4096", dict(light_samples=5000)),
             ("epsilon_scale: 0.0 is out of range", dict(epsilon_scale=0)),
             ("variant: 'zfail' is not known; there are automatic, z-fail", dict(variant="zfail")),
@@ -47,6 +51,13 @@ class TestArguments(unittest.TestCase):
     def test_settings_arrive(self):
         shadows = vtkshadows.enable(SCENE.renderer, resolution=512, strength=0.25, radius=2)
         self.assertEqual(shadows.GetDepthShadowMapPass().GetResolution(), 512)
+        objects = shadows.GetObjectIDShadowPass()
+        self.assertEqual(objects.GetResolution(), 512)
+        vtkshadows.enable(
+            SCENE.renderer, object_type="piece", object_depth=False, object_depth_bits=24, object_taps=3
+        )
+        self.assertEqual((objects.GetObjectType(), objects.GetDepthBits(), objects.GetTaps()), (3, 24, 3))
+        self.assertFalse(objects.GetSelfShadows())
         self.assertEqual(shadows.GetLightStrength(SCENE.light), 0.25)
         self.assertEqual(shadows.GetLightRadius(SCENE.light), 2)
         volumes = shadows.GetStencilShadowVolumePass()

@@ -19,8 +19,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     PAGE_EXAMPLE,
     AREA_EXAMPLE,
     PLANAR_EXAMPLE,
-) = sys.argv[1:8]
-FOLDER = pathlib.Path(sys.argv[8])
+    OBJECT_EXAMPLE,
+) = sys.argv[1:9]
+FOLDER = pathlib.Path(sys.argv[9])
 
 
 def read_png(path):
@@ -124,6 +125,25 @@ class TestExamples(unittest.TestCase):
         shares = [100 * float(part.mean()) for part in (texture == 0, texture % 255 > 0, texture == 255)]
         print(f"texture dark, between, lit: got {shares} %, expected 10 and more of each")
         self.assertTrue(min(shares) >= 10)
+
+    def test_object_ids(self):
+        files = [FOLDER / "object_ids.png", FOLDER / "object_ids-alone.png"]
+        for file in files:
+            file.unlink(missing_ok=True)
+        done = run(sys.executable, OBJECT_EXAMPLE, *map(str, files))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = re.findall(r"(\w+), depths (\w+): +([\d.]+) % in shadow", done.stdout)
+        shares = [float(share) for *_, share in rows]
+        # IDs alone do not darken the sides that turn from the light: they are dark already.
+        print(f"in shadow: got {shares} %, expected 5 and more, then four fifths of it, then nothing")
+        self.assertEqual([row[:2] for row in rows], [("piece", "on"), ("piece", "off"), ("prop", "off")])
+        self.assertGreater(shares[0], 5)
+        self.assertGreater(shares[1], 0.8 * shares[0])
+        self.assertEqual(shares[2], 0)
+        deep, alone = map(read_png, files)
+        different = int((deep != alone).any(axis=2).sum())
+        print(f"pixels that differ: got {different}, expected 1000 or more")
+        self.assertGreaterEqual(different, 1000)
 
 
 if __name__ == "__main__":

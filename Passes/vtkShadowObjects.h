@@ -1,0 +1,120 @@
+// The objects of a scene's casters, their IDs, and how each draw of a mapper tells what it draws.
+// An object is a prop, a block of a composite, a glyph's instance or a connected piece of a mesh.
+#ifndef vtkShadowObjects_h
+#define vtkShadowObjects_h
+
+#include "vtkShadowByPiece.h"
+#include "vtkShadowSceneData.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+class vtkAbstractMapper;
+class vtkInformation;
+class vtkOpenGLRenderWindow;
+class vtkPoints;
+class vtkPolyData;
+class vtkShadowTextureBuffer;
+
+class vtkShadowObjects
+{
+public:
+  // Each kind has those before it, too.
+  enum Kind
+  {
+    Props,
+    Blocks,    // of composite data sets
+    Instances, // of glyphs
+    Pieces     // of meshes and blocks, connected by points
+  };
+
+  // Nothing has an ID, and what is empty in a map.
+  static constexpr int NoID = 0;
+
+  vtkShadowObjects();
+  ~vtkShadowObjects();
+
+  // Number the objects of the casters, from 1 to at most `mostIDs`, which further ones share. The
+  // same casters (by their stamp) have the same IDs. True if the IDs changed.
+  bool Update(const vtkShadowScene& scene, Kind kind, int mostIDs);
+
+  int GetNumberOfObjects() const { return this->Count; }
+  // IDs that there are, NoID included.
+  int GetNumberOfIDs() const;
+
+  // By ID: the nearest depth, window space, that anything of it has in a view, and how far the
+  // farthest lies from it. `texels`: of the map's width. NoID lies at 1.
+  std::vector<glm::vec2> RangesIn(const vtkshadows::LightView& view, int texels) const;
+
+  // What a draw of `prop` by `mapper` is told.
+  struct Draw
+  {
+    int Whole = NoID;    // the ID of all of it
+    int First = -1;      // object of instance 0; below 0: none
+    int PerInstance = 0; // 1: instance i is object First + i
+    // By vertex, if there is one: its ID.
+    vtkShadowTextureBuffer* OfVertices = nullptr;
+  };
+  Draw DrawOf(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop);
+  int GetMostIDs() const { return this->MostIDs; }
+
+  // Forget the tables of vertices.
+  void Release();
+
+private:
+  // A box of an object; several may have the same.
+  struct Box
+  {
+    int Object;
+    vtkshadows::BoxCorners CornersWC;
+    double Beyond; // texels that it may reach farther: lines and points
+  };
+  // The connected pieces of a mesh, in its own coordinates.
+  struct MeshPieces
+  {
+    std::vector<std::uint32_t> OfPoint;
+    std::vector<vtkshadows::BoxCorners> CornersMC;
+  };
+  using PiecesByMesh = std::map<vtkPolyData*, MeshPieces>;
+  // The objects of a mesh: one, or one for each piece.
+  struct Mesh
+  {
+    int First = 0;
+    const MeshPieces* Pieces = nullptr;
+  };
+  // A prop that casts.
+  struct Entry
+  {
+    int Whole = -1;
+    std::map<vtkPolyData*, Mesh> Meshes;
+    std::map<vtkPoints*, int> Sources; // of a glyph mapper: object of a source's first instance
+  };
+  struct VertexTable;
+
+  int IDOf(int object) const { return 1 + object % this->MostIDs; }
+  void AddPiece(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece& piece);
+  void AddMeshes(Entry& entry, const vtkShadowScene::Piece& piece, double beyond);
+  void AddInstances(Entry& entry, const vtkShadowScene::Piece& piece, double beyond);
+  void AddBox(int object, const glm::dmat4& worldFromModel, const vtkshadows::BoxCorners& cornersMC,
+    double beyond);
+  vtkShadowTextureBuffer* TableOf(
+    vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop, const Entry& entry);
+
+  bool Known = false;
+  vtkMTimeType Stamp = 0; // of the casters
+  Kind Of = Props;
+  int MostIDs = 1;
+  int Count = 0;
+  std::vector<Box> Boxes;
+  std::unordered_map<vtkProp*, Entry> Entries;
+  std::unordered_map<vtkInformation*, int> WholeByKeys; // of copies that mappers make of a prop
+  vtkShadowByPiece<PiecesByMesh> Split;
+  std::map<std::pair<vtkAbstractMapper*, vtkProp*>, std::unique_ptr<VertexTable>> Tables;
+};
+
+#endif

@@ -1,0 +1,95 @@
+#include "vtkShadowTextureBuffer.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShadowOpenGL.h"
+#include "vtkTextureUnitManager.h"
+
+//------------------------------------------------------------------------------
+vtkShadowTextureBuffer::~vtkShadowTextureBuffer()
+{
+  this->Release();
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTextureBuffer::IsOf(vtkOpenGLRenderWindow* window) const
+{
+  return this->Texture != 0 && this->Window == window;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureBuffer::Upload(
+  vtkOpenGLRenderWindow* window, int components, const std::vector<float>& values)
+{
+  if (!this->IsOf(window))
+  {
+    this->Release();
+    window->MakeCurrent();
+    this->Window = window;
+    glGenBuffers(1, &this->Buffer);
+    glGenTextures(1, &this->Texture);
+  }
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
+    values.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  GLint before = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &before);
+  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, components == 1 ? GL_R32F : GL_RG32F, this->Buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(before));
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowTextureBuffer::LargestSize()
+{
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+  return static_cast<std::size_t>(limit);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureBuffer::Activate()
+{
+  if (!this->Texture || this->TextureUnit >= 0)
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  this->TextureUnit = state->GetTextureUnitManager()->Allocate();
+  if (this->TextureUnit >= 0)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
+    glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureBuffer::Deactivate()
+{
+  if (this->TextureUnit < 0)
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  state->GetTextureUnitManager()->Free(this->TextureUnit);
+  this->TextureUnit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureBuffer::Release()
+{
+  if (this->Texture && this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Deactivate();
+    glDeleteTextures(1, &this->Texture);
+    glDeleteBuffers(1, &this->Buffer);
+  }
+  this->Texture = 0;
+  this->Buffer = 0;
+  this->TextureUnit = -1;
+  this->Window = nullptr;
+}
