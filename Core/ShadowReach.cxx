@@ -275,6 +275,28 @@ bool ShadowMayBeSeen(
 }
 
 //------------------------------------------------------------------------------
+// What lies behind a plane for the corners of a cube around the light does so for all in it.
+bool SoftShadowMayBeSeen(
+  const glm::dmat4& clipFromWorld, const glm::dvec4& light, double radius, const BoxCorners& caster)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  const auto liesBehind = [&](const glm::dvec4& plane)
+  {
+    for (int corner = 0; corner < (radius > 0.0 ? 8 : 1); ++corner)
+    {
+      const glm::dvec3 side(
+        corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+      if (!ShadowLiesBehind(plane, light + glm::dvec4(radius * side, 0.0), caster))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  return std::none_of(planes.begin(), planes.begin() + SidePlanes, liesBehind);
+}
+
+//------------------------------------------------------------------------------
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster)
 {
   const double size = glm::length(receivers.maximum - receivers.minimum);

@@ -63,6 +63,11 @@ glm::dvec3 ImageOnPlane(
 bool ShadowMayBeSeen(
   const glm::dmat4& clipFromWorld, const glm::dvec4& light, const BoxCorners& caster);
 
+// The same of a light whose luminous points lie within `radius` of `light`, in its coordinates, for
+// what the four sides of the view hold at whatever depth.
+bool SoftShadowMayBeSeen(const glm::dmat4& clipFromWorld, const glm::dvec4& light, double radius,
+  const BoxCorners& caster);
+
 // Whether any shadow of the caster can lie in the box.
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster);
 

@@ -6,6 +6,7 @@
 #include "vtkShadowMeasured.h"
 #include "vtkShadowReceiverBuffer.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowTexturePass.h"
 #include "vtkShadowedShadingPass.h"
 #include "vtkStencilShadowVolumePass.h"
 #ifdef VTKSHADOWS_WITH_EMBREE
@@ -435,6 +436,7 @@ vtkShadowPass::vtkShadowPass()
 {
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkDepthShadowMapPass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkPlanarShadowPass::New()));
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkShadowTexturePass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkStencilShadowVolumePass::New()));
 #ifdef VTKSHADOWS_WITH_EMBREE
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkRayCastShadowPass::New()));
@@ -674,6 +676,12 @@ vtkDepthShadowMapPass* vtkShadowPass::GetDepthShadowMapPass()
 vtkPlanarShadowPass* vtkShadowPass::GetPlanarShadowPass()
 {
   return vtkPlanarShadowPass::SafeDownCast(this->Internal->Find("planar"));
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTexturePass* vtkShadowPass::GetShadowTexturePass()
+{
+  return vtkShadowTexturePass::SafeDownCast(this->Internal->Find("shadow-texture"));
 }
 
 //------------------------------------------------------------------------------

@@ -65,6 +65,7 @@ class vtkRayCastShadowPass;
 class vtkRenderer;
 class vtkShadowScene;
 class vtkShadowTechniquePass;
+class vtkShadowTexturePass;
 class vtkPlanarShadowPass;
 class vtkStencilShadowVolumePass;
 struct vtkShadowFrame;
@@ -133,6 +134,7 @@ public:
    */
   vtkDepthShadowMapPass* GetDepthShadowMapPass();
   vtkPlanarShadowPass* GetPlanarShadowPass();
+  vtkShadowTexturePass* GetShadowTexturePass();
   vtkStencilShadowVolumePass* GetStencilShadowVolumePass();
   vtkRayCastShadowPass* GetRayCastShadowPass();
   vtkShadowTechniquePass* GetTechniquePass(const std::string& name);

@@ -29,6 +29,8 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
       return { GL_R32F, GL_RED, GL_FLOAT };
     case vtkShadowTextureArray::Format::RG32F:
       return { GL_RG32F, GL_RG, GL_FLOAT };
+    case vtkShadowTextureArray::Format::RG16:
+      return { GL_RG16, GL_RG, GL_UNSIGNED_SHORT };
     case vtkShadowTextureArray::Format::RGBA32F:
       return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
     default:
@@ -154,6 +156,15 @@ void vtkShadowTextureArray::Smooth()
   const ScopedBinding bound(this->Texture);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::MakeLevels(int levels)
+{
+  const ScopedBinding bound(this->Texture);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,8 @@ public:
     RGBA32F,
     R32F,
     RG32F,
-    R8 // 0..255 read as 0..1
+    RG16, // 0..65535 read as 0..1
+    R8    // 0..255 read as 0..1
   };
 
   vtkShadowTextureArray() = default;
@@ -42,6 +43,10 @@ public:
 
   // Blend neighbouring texels when it is sampled.
   void Smooth();
+
+  // Make `levels` smaller copies of every layer, each half the size of the one before, and blend
+  // between them when it is sampled at a level.
+  void MakeLevels(int levels);
 
   // Bind to a texture unit of the window's own, and give the unit back.
   void Activate();

@@ -587,9 +587,7 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
     vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
-      this->CurrentStage == COVERAGE ? "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n"
-                                     : "  gl_FragData[0] = vec4(1.0);\n",
-      false);
+      "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n", false);
     return true;
   }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",

@@ -1,0 +1,55 @@
+// Visibility by shadow texture: how much of a texel the casters cover, 1 less that is its visibility. What lies
+// before the near side of the casters' bounds, where depth is 0, is lit.
+
+uniform sampler2DArray shadowTextures; // r: coverage; g, of a soft light: coverage times depth
+
+vec2 shadowTextureAt(int layer, vec2 p, float level)
+{
+  const vec2 perTexel = 1.0 / vec2(SHADOW_TEXTURE_WIDTH, SHADOW_TEXTURE_HEIGHT);
+  return textureLod(shadowTextures, vec3(p * perTexel, float(layer)), level).rg;
+}
+
+#ifdef SHADOW_TEXTURE_SOFT
+// Of each layer: how wide the light's disc is seen through a caster, in texels per depth between caster and
+// receiver.
+uniform float shadowTextureWidths[SHADOW_TEXTURE_LAYERS];
+
+// The mean over a disc of `width` texels by n places of a sunflower (Vogel 1979). Each is read from the level
+// whose texels are as far apart as the places.
+vec2 shadowTextureMean(int layer, vec2 p, float width, int n)
+{
+  float level = clamp(log2(width * inversesqrt(float(n))), 0.0, float(SHADOW_TEXTURE_LEVELS));
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < n; ++i)
+  {
+    float angle = 2.39996323 * float(i);
+    float reach = 0.5 * width * sqrt((float(i) + 0.5) / float(n));
+    sum += shadowTextureAt(layer, p + reach * vec2(cos(angle), sin(angle)), level);
+  }
+  return sum / float(n);
+}
+#endif
+
+// p: texels, and depth from 0 at the near side of the casters' bounds; behind the far side it is above 1.
+float shadowTextureCompare(int layer, vec3 p, vec2 slope)
+{
+  if (!(p.z > 0.0))
+  {
+    return 1.0;
+  }
+#ifdef SHADOW_TEXTURE_SOFT
+  float width = shadowTextureWidths[layer];
+  if (width > 0.0)
+  {
+    // The mean depth of the casters around, then the light's disc as wide as it is seen through them.
+    vec2 around = shadowTextureMean(layer, p.xy, width * p.z, SHADOW_TEXTURE_SEARCHES);
+    if (around.r <= 0.0)
+    {
+      return 1.0;
+    }
+    float seen = width * max(p.z - around.g / around.r, 0.0);
+    return 1.0 - shadowTextureMean(layer, p.xy, seen, SHADOW_TEXTURE_SAMPLES).r;
+  }
+#endif
+  return 1.0 - shadowTextureAt(layer, p.xy, 0.0).r;
+}
