@@ -275,25 +275,72 @@ bool ShadowMayBeSeen(
 }
 
 //------------------------------------------------------------------------------
-// What lies behind a plane for the corners of a cube around the light does so for all in it.
-bool SoftShadowMayBeSeen(
-  const glm::dmat4& clipFromWorld, const glm::dvec4& light, double radius, const BoxCorners& caster)
+// The light is taken for a cube around it. What lies behind a plane of the view for its corners
+// does so for all in it, since they throw the caster on one far plane, or none.
+bool SoftShadowMayBeSeen(const glm::dmat4& clipFromWorld, const glm::dvec4& light, double radius,
+  const BoxCorners& caster, const Box& receivers)
 {
-  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  std::vector<glm::dvec4> lights;
+  for (int corner = 0; corner < (radius > 0.0 ? 8 : 1); ++corner)
+  {
+    const glm::dvec3 side(
+      corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+    lights.push_back(light + glm::dvec4(radius * side, 0.0));
+  }
+  const glm::dvec4 farPlane = FarPlane(light, caster, receivers);
+  const glm::dvec3 outward(farPlane);
+  const bool ends = std::all_of(lights.begin(), lights.end(),
+    [&](const glm::dvec4& from)
+    {
+      return std::all_of(caster.begin(), caster.end(),
+        [&](const glm::dvec3& p) { return glm::dot(outward, Along(from, p)) > 0.0; });
+    });
   const auto liesBehind = [&](const glm::dvec4& plane)
   {
-    for (int corner = 0; corner < (radius > 0.0 ? 8 : 1); ++corner)
-    {
-      const glm::dvec3 side(
-        corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-      if (!ShadowLiesBehind(plane, light + glm::dvec4(radius * side, 0.0), caster))
+    const auto isBehind = [&plane](const glm::dvec3& p)
+    { return glm::dot(plane, glm::dvec4(p, 1.0)) < 0.0; };
+    return std::all_of(lights.begin(), lights.end(),
+      [&](const glm::dvec4& from)
       {
-        return false;
-      }
-    }
-    return true;
+        return !ends ? ShadowLiesBehind(plane, from, caster)
+                     : std::all_of(caster.begin(), caster.end(),
+                         [&](const glm::dvec3& p)
+                         { return isBehind(p) && isBehind(ImageOnPlane(from, farPlane, p)); });
+      });
   };
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
   return std::none_of(planes.begin(), planes.begin() + SidePlanes, liesBehind);
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> SidesTowardLight(const glm::dvec4& light, const BoxCorners& box)
+{
+  std::vector<glm::dvec4> sides;
+  const glm::dvec3 centre = 0.5 * (box[0] + box[7]);
+  for (const auto& face : BoxFaces)
+  {
+    const glm::dvec3 across = glm::cross(box[face[1]] - box[face[0]], box[face[3]] - box[face[0]]);
+    const double area = glm::length(across);
+    if (!(area > 0.0))
+    {
+      continue;
+    }
+    glm::dvec3 normal = across / area;
+    const auto isLit = [&]()
+    { return glm::dot(normal, glm::dvec3(light)) > light.w * glm::dot(normal, box[face[0]]); };
+    const double outward = glm::dot(normal, box[face[0]] - centre);
+    const bool isFlat = std::abs(outward) <= SideTolerance * glm::distance(box[0], box[7]);
+    // Of a flat box the light tells which way is out.
+    if (isFlat ? !isLit() : outward < 0.0)
+    {
+      normal = -normal;
+    }
+    if (isLit())
+    {
+      sides.emplace_back(normal, glm::dot(normal, box[face[0]]));
+    }
+  }
+  return sides;
 }
 
 //------------------------------------------------------------------------------

@@ -47,9 +47,9 @@ constexpr int Searches = 16;
 constexpr int Samples = 32;
 
 // Uniforms that are left to VTK's own shaders and to other techniques, in floats; and what a
-// texture of its own needs of a prop's shader: a matrix and a layer.
+// texture of its own needs of a prop's shader: a matrix, a layer, four sides and a width.
 constexpr int UniformsOfOthers = 512;
-constexpr int UniformsOfTexture = 17;
+constexpr int UniformsOfTexture = 34;
 
 // No position: lit, in either lookup.
 constexpr ShaderMatrix Nowhere = {};
@@ -95,9 +95,42 @@ double WidthPerDepth(const vtkshadows::ShadowLight& light, const LightView& view
   return 2.0 * light.radius * width * view.clipFromView[0][0] / std::abs(step);
 }
 
+// Sides of a box that a light is beyond, at most: three of it, and of a flat one two that coincide
+// count once more.
+constexpr std::size_t MostSides = 4;
+
+// The bounds of casters: those of a single piece as they lie, else along the world's axes.
+BoxCorners BoundsOf(const vtkShadowScene& scene, const std::vector<std::size_t>& casters)
+{
+  vtkshadows::Box bounds;
+  std::size_t pieces = 0;
+  for (const std::size_t i : casters)
+  {
+    for (const vtkShadowScene::Piece& piece : scene.GetProps()[i].Pieces)
+    {
+      bounds.Add(piece.CornersWC);
+      ++pieces;
+    }
+  }
+  return pieces == 1 ? scene.GetProps()[casters.front()].Pieces.front().CornersWC
+                     : bounds.Corners();
+}
+
+// A plane n.x = d of the world in a texture's texels and depth, as floats of which the sign counts.
+std::array<float, 4> SideInMap(const glm::dvec4& sideWC, const glm::dmat4& worldFromMap)
+{
+  glm::dvec4 side = glm::dvec4(glm::dvec3(sideWC), -sideWC.w) * worldFromMap;
+  const glm::dvec4 size = glm::abs(side);
+  side /= std::max(std::max(size.x, size.y), std::max(size.z, size.w));
+  return { static_cast<float>(side.x), static_cast<float>(side.y), static_cast<float>(side.z),
+    static_cast<float>(side.w) };
+}
+constexpr std::array<float, 4> NoSide = { 0.0f, 0.0f, 0.0f, -1.0f };
+
 // A texture as it is looked up in this frame.
 struct Texture
 {
+  std::vector<glm::dvec4> SidesWC; // see vtkshadows::SidesTowardLight; at most MostSides
   glm::dmat4 FromView{ 0.0 }; // from the eye's view coordinates to texels and depth, homogeneous
   int Layer = 0;
   double Size[2] = { 0.0, 0.0 }; // texels
@@ -109,6 +142,14 @@ struct Texture
 // frustum, or within half the width of the light's disc of it.
 bool Reaches(const Texture& texture, const glm::dmat4& viewFromWorld, const BoxCorners& box)
 {
+  for (const glm::dvec4& side : texture.SidesWC)
+  {
+    if (std::all_of(box.begin(), box.end(),
+          [&side](const glm::dvec3& p) { return glm::dot(glm::dvec3(side), p) > side.w; }))
+    {
+      return false;
+    }
+  }
   std::array<glm::dvec4, 8> corners;
   double deepest = 1.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -162,6 +203,7 @@ public:
   Shape Now, Before;
   std::vector<Texture> Textures;
   std::vector<ShaderMatrix> Matrices;               // of the textures
+  std::vector<std::array<float, 4>> Sides;          // MostSides a layer
   std::vector<float> Widths;                        // by layer
   std::unordered_map<const void*, Reach> Reached;   // leaves, tops, and their keys
   std::unordered_set<const void*> Told, ToldBefore; // those that any texture reaches
@@ -327,19 +369,24 @@ vtkShadowMapRoles vtkShadowTexturePass::GetRoles(const vtkShadowFrame& frame) co
   }
   const glm::dmat4 clipFromWorld = frame.ClipFromView * frame.ViewFromWorld;
   const vtkShadowScene* scene = frame.Scene;
-  roles.Needs = [clipFromWorld, scene](const vtkShadowMapSlot& slot, const vtkShadowMapView& view)
+  vtkshadows::Box receivers;
+  for (const BoxCorners& corners : vtkShadowReceiverCorners(*scene))
+  {
+    receivers.Add(corners);
+  }
+  roles.Needs = [=](const vtkShadowMapSlot& slot, const vtkShadowMapView& view)
   {
     const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(slot.Light);
+    const auto isSeen = [&](const vtkShadowScene::Piece& piece)
+    {
+      return vtkshadows::SoftShadowMayBeSeen(
+        clipFromWorld, lightWC, slot.Light.radius, piece.CornersWC, receivers);
+    };
     return std::any_of(view.Casters.begin(), view.Casters.end(),
       [&](std::size_t i)
       {
         const std::vector<vtkShadowScene::Piece>& pieces = scene->GetProps()[i].Pieces;
-        return std::any_of(pieces.begin(), pieces.end(),
-          [&](const vtkShadowScene::Piece& piece)
-          {
-            return vtkshadows::SoftShadowMayBeSeen(
-              clipFromWorld, lightWC, slot.Light.radius, piece.CornersWC);
-          });
+        return std::any_of(pieces.begin(), pieces.end(), isSeen);
       });
   };
   return roles;
@@ -386,6 +433,7 @@ bool vtkShadowTexturePass::UpdateVisibility(
   my.Textures.clear();
   my.Matrices.clear();
   my.Widths.clear();
+  my.Sides.clear();
   for (const vtkShadowMapSlot& slot : views.GetSlots())
   {
     for (const vtkShadowMapView& view : slot.Views)
@@ -399,6 +447,15 @@ bool vtkShadowTexturePass::UpdateVisibility(
       texture.WidthPerDepth = WidthPerDepth(slot.Light, view.View, views.WidthOf(view.View));
       my.Widths.resize(std::max(my.Widths.size(), static_cast<std::size_t>(view.Layer) + 1), 0.0f);
       my.Widths[static_cast<std::size_t>(view.Layer)] = static_cast<float>(texture.WidthPerDepth);
+      texture.SidesWC = vtkshadows::SidesTowardLight(
+        vtkshadows::HomogeneousLight(slot.Light), BoundsOf(scene, view.Casters));
+      const glm::dmat4 worldFromMap = glm::inverse(texture.FromView * frame.ViewFromWorld);
+      my.Sides.resize(MostSides * my.Widths.size(), NoSide);
+      for (std::size_t i = 0; i < std::min(texture.SidesWC.size(), MostSides); ++i)
+      {
+        my.Sides[MostSides * static_cast<std::size_t>(view.Layer) + i] =
+          SideInMap(texture.SidesWC[i], worldFromMap);
+      }
       my.Matrices.push_back(vtkShadowMatrix::ToFloats(texture.FromView));
       my.Textures.push_back(texture);
     }
@@ -410,6 +467,7 @@ bool vtkShadowTexturePass::UpdateVisibility(
   my.Now.Layers = std::max(my.Now.Layers, RoundedUp(my.Widths.size()));
   my.Now.Most = my.Now.PerCaster ? std::max(my.Now.Most, RoundedUp(most)) : 1;
   my.Widths.resize(my.Now.Layers, 0.0f);
+  my.Sides.resize(MostSides * my.Now.Layers, NoSide);
   if (!(my.Now == my.Before) || my.Told != my.ToldBefore)
   {
     my.Before = my.Now;
@@ -506,10 +564,14 @@ void vtkShadowTexturePass::DrawMap(const vtkShadowFrame& frame, const vtkShadowM
 std::string vtkShadowTexturePass::GetCompareDeclarations() const
 {
   const Internals& my = *this->Internal;
-  return (my.Now.Soft ? "#define SHADOW_TEXTURE_SOFT\n" + Define("LAYERS", my.Now.Layers) +
-               Define("LEVELS", static_cast<std::size_t>(this->LevelsOfTexture())) +
-               Define("SEARCHES", Searches) + Define("SAMPLES", Samples)
-                      : std::string()) +
+  std::string soft;
+  if (my.Now.Soft)
+  {
+    soft = "#define SHADOW_TEXTURE_SOFT\n" +
+      Define("LEVELS", static_cast<std::size_t>(this->LevelsOfTexture())) +
+      Define("SEARCHES", Searches) + Define("SAMPLES", Samples);
+  }
+  return Define("LAYERS", my.Now.Layers) + Define("SIDES", MostSides) + soft +
     vtkShadowTexturePassLookup;
 }
 
@@ -569,6 +631,8 @@ void vtkShadowTexturePass::SetLookupParameters(vtkShaderProgram* program, vtkPro
 {
   const Internals& my = *this->Internal;
   this->Superclass::SetLookupParameters(program, prop);
+  program->SetUniform4fv("shadowTextureSides", static_cast<int>(my.Sides.size()),
+    reinterpret_cast<const float(*)[4]>(my.Sides.data()));
   if (my.Now.Soft)
   {
     program->SetUniform1fv(

@@ -1,5 +1,4 @@
-// Visibility by shadow texture: how much of a texel the casters cover, 1 less that is its visibility. What lies
-// before the near side of the casters' bounds, where depth is 0, is lit.
+// Visibility by shadow texture: how much of a texel the casters cover; 1 less that is its visibility.
 
 uniform sampler2DArray shadowTextures; // r: coverage; g, of a soft light: coverage times depth
 
@@ -7,6 +6,20 @@ vec2 shadowTextureAt(int layer, vec2 p, float level)
 {
   const vec2 perTexel = 1.0 / vec2(SHADOW_TEXTURE_WIDTH, SHADOW_TEXTURE_HEIGHT);
   return textureLod(shadowTextures, vec3(p * perTexel, float(layer)), level).rg;
+}
+
+// Of each layer: the sides of its casters' bounds that the light is beyond, in texels and depth.
+uniform vec4 shadowTextureSides[SHADOW_TEXTURE_SIDES * SHADOW_TEXTURE_LAYERS];
+
+// Whether a receiver lies beyond a side as the light does, or before all casters.
+bool shadowTextureIsBefore(int layer, vec3 p)
+{
+  float beyond = -1.0;
+  for (int i = SHADOW_TEXTURE_SIDES * layer; i < SHADOW_TEXTURE_SIDES * (layer + 1); ++i)
+  {
+    beyond = max(beyond, dot(shadowTextureSides[i], vec4(p, 1.0)));
+  }
+  return beyond > 0.0 || !(p.z > 0.0);
 }
 
 #ifdef SHADOW_TEXTURE_SOFT
@@ -33,7 +46,7 @@ vec2 shadowTextureMean(int layer, vec2 p, float width, int n)
 // p: texels, and depth from 0 at the near side of the casters' bounds; behind the far side it is above 1.
 float shadowTextureCompare(int layer, vec3 p, vec2 slope)
 {
-  if (!(p.z > 0.0))
+  if (shadowTextureIsBefore(layer, p))
   {
     return 1.0;
   }
