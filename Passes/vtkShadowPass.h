@@ -23,8 +23,9 @@
  * RECEIVES_SHADOWS 0: always lit.
  * A third, CASTER_STAND_IN (SetStandIn), has another mesh cast in a prop's place.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
- * receives from techniques of the lookup form (depth-map) and is lit by those of the mask form
- * (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but shadow.
+ * receives from techniques of the lookup form (depth-map, shadow-texture) and is lit by those of
+ * the mask form (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but
+ * shadow.
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
  * cone, exponent and attenuation as VTK shades them. A headlight sits at the eye, from where no
@@ -40,7 +41,7 @@
  * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
  *
  * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkPlanarShadowPass
- *     vtkStencilShadowVolumePass vtkRayCastShadowPass
+ *     vtkShadowTexturePass vtkStencilShadowVolumePass vtkRayCastShadowPass
  * vtkShadowErrorMeasure
  */
 #ifndef vtkShadowPass_h
@@ -83,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Technique of every light that has none of its own: "depth-map" (default), "stencil-volume",
-   * "ray-cast" or "none" (every light lit). An unknown name is an error that lists the known ones,
-   * and changes nothing.
+   * Technique of every light that has none of its own: "depth-map" (default), "planar",
+   * "shadow-texture", "stencil-volume", "ray-cast" or "none" (every light lit). An unknown name is
+   * an error that lists the known ones, and changes nothing.
    */
   bool SetTechnique(const std::string& name);
   std::string GetTechnique() const;
@@ -111,8 +112,8 @@ public:
   ///@{
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
-   * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" and
-   * "stencil-volume" soften by it; "depth-map" casts hard shadows whatever the radius.
+   * for a directional light the tangent of its half-angle (the sun: 0.00465). "depth-map"
+   * casts hard shadows whatever the radius; the others soften by it.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;

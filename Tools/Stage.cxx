@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkPlanarShadowPass.h>
+#include <vtkShadowTexturePass.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -93,6 +94,7 @@ void Stage::SetMapResolution(std::optional<int> resolution)
       "choose at most " + std::to_string(limit));
   }
   this->shadows->GetDepthShadowMapPass()->SetResolution(*resolution);
+  this->shadows->GetShadowTexturePass()->SetResolution(*resolution);
 }
 
 void Stage::SetLightSamples(std::optional<int> samples)

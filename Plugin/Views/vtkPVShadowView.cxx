@@ -4,6 +4,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkShadowPass.h"
+#include "vtkShadowTexturePass.h"
 
 vtkStandardNewMacro(vtkPVShadowView);
 
@@ -29,6 +30,7 @@ void vtkPVShadowView::SetTechnique(const char* name)
 void vtkPVShadowView::SetResolution(int resolution)
 {
   this->Shadows->GetDepthShadowMapPass()->SetResolution(resolution);
+  this->Shadows->GetShadowTexturePass()->SetResolution(resolution);
   this->Modified();
 }
 

@@ -67,6 +67,7 @@ from .vtkShadowsPasses import (
     vtkShadowFloor,
     vtkShadowMatte,
     vtkShadowPass,
+    vtkShadowTexturePass,
     vtkStencilShadowVolumePass,
 )
 
@@ -91,6 +92,7 @@ __all__ = [
     "vtkShadowMatte",
     "vtkShadowPass",
     "vtkShadowSilhouetteFilter",
+    "vtkShadowTexturePass",
     "vtkShadowVolumeFilter",
     "vtkStencilShadowVolumePass",
 ]
@@ -100,7 +102,7 @@ def techniques() -> List[str]:
     """Names of the techniques there are in this build, "none" included.
 
     >>> vtkshadows.techniques()
-    ['depth-map', 'planar', 'stencil-volume', 'ray-cast', 'none']
+    ['depth-map', 'planar', 'shadow-texture', 'stencil-volume', 'ray-cast', 'none']
     """
     return _names_from(vtkShadowPass.GetTechniqueNames)
 
@@ -122,7 +124,7 @@ def enable(
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
         of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
         size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
-    resolution : depth-map: texels on the longer side of each map, 1 or more (2048).
+    resolution : depth-map and shadow-texture: texels on the longer side of each map, 1 or more (2048).
     light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
         4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
     variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
@@ -138,10 +140,15 @@ def enable(
     texture_resolution : planar: texels on the longer side of such a texture, 1 or more (2048).
     soft_method : planar: how a light with a radius is made soft: "sample-lights" (default),
         "offset-planes" or "plateaus"; see vtkPlanarShadowPass::SoftMethodType.
+    texture_per_caster : shadow-texture: a texture for each prop that casts instead of one for all of a
+        light: then casters take the shadows of others, and only those that changed are drawn again (False).
+    near_plane : shadow-texture: what lies before a plane this far before the light, world units, casts and
+        takes no shadow, and the rest receives and casts none; 0 (default): casters are told by
+        `set_casts_shadows` alone. See vtkShadowTexturePass::SetNearPlane.
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
-    radius : 0 or more (0): size of every light that the renderer has now. planar, stencil-volume and
-        ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
+    radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
+        stencil-volume and ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
     debug_view : "none" (default), "volumes", "silhouette" or "counts": drawn over the frame, it explains
         the first light that casts, whose technique must be stencil-volume; another light by
         `shadows.SetDebugLight(light)`. Colours: see vtkShadowPass::SetDebugView.
@@ -666,6 +673,7 @@ def _ray_cast(shadows: vtkShadowPass) -> Any:
 
 def _set_resolution(shadows, renderer, value):
     shadows.GetDepthShadowMapPass().SetResolution(value)
+    shadows.GetShadowTexturePass().SetResolution(value)
 
 
 def _set_light_samples(shadows, renderer, value):
@@ -724,6 +732,17 @@ def _set_plane_textures(shadows, renderer, value):
 
 def _set_texture_resolution(shadows, renderer, value):
     shadows.GetPlanarShadowPass().SetTextureResolution(value)
+
+
+def _set_texture_per_caster(shadows, renderer, value):
+    shadows.GetShadowTexturePass().SetTexturePerCaster(value)
+
+
+def _set_near_plane(shadows, renderer, value):
+    textures = shadows.GetShadowTexturePass()
+    if value > 0:
+        textures.SetNearPlane(value)
+    textures.SetCasterSelection(textures.BY_NEAR_PLANE if value > 0 else textures.BY_FLAG)
 
 
 def _planes(name, value):
@@ -786,6 +805,8 @@ _SETTINGS = {
     "texture_resolution": _Setting(
         lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_texture_resolution
     ),
+    "texture_per_caster": _Setting(_flag, _set_texture_per_caster),
+    "near_plane": _Setting(lambda n, v: _number(n, v, 0), _set_near_plane),
     "soft_method": _Setting(lambda n, v: _one_of(n, v, _SOFT_METHODS), _set_soft_method),
     "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
@@ -904,6 +925,7 @@ class _VtkErrors:
             parts += [
                 shadows.GetDepthShadowMapPass(),
                 shadows.GetPlanarShadowPass(),
+                shadows.GetShadowTexturePass(),
                 shadows.GetStencilShadowVolumePass(),
                 shadows.GetRayCastShadowPass(),
                 shadows.GetScene(),

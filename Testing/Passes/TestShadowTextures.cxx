@@ -27,6 +27,8 @@ namespace
 
 // In percent of the receiver pixels, at 2048 texels.
 constexpr double Mismatch = 0.03;
+// Where light grazes what is round, a texel is as long as several pixels.
+constexpr double GrossOnRoundThings = 0.005;
 
 class ShadowTextures : public ShadowTest
 {
@@ -149,7 +151,7 @@ TEST_F(ShadowTextures, ByLot)
       this->Renderer, { { 0.0, 0.0, 0.8 }, 3.0 }, any(0.0, 360.0), any(15.0, 70.0), 400, 300);
     this->Pass()->SetTexturePerCaster(round % 3 == 0);
     this->Render();
-    this->CheckMeasure("round " + std::to_string(round), light, 2.0 * Mismatch, 0.0);
+    this->CheckMeasure("round " + std::to_string(round), light, Mismatch, GrossOnRoundThings);
   }
 }
 
@@ -512,14 +514,14 @@ TEST_F(ShadowTextures, SixteenLightsAmongOthers)
   for (const bool each : { false, true })
   {
     this->Pass()->SetTexturePerCaster(each);
-    this->Render();
-    std::vector<Visibility> together;
-    for (const auto& light : lights)
+    for (const std::size_t i : { 0u, 1u, 2u, 10u, 15u })
     {
-      together.push_back(this->VisibilityOf(light));
-    }
-    for (std::size_t i = 0; i < lights.size(); ++i)
-    {
+      for (const auto& light : lights)
+      {
+        light->SwitchOn();
+      }
+      this->Render();
+      const Visibility together = this->VisibilityOf(lights[i]);
       for (const auto& light : lights)
       {
         light->SetSwitch(light == lights[i]);
@@ -527,12 +529,8 @@ TEST_F(ShadowTextures, SixteenLightsAmongOthers)
       this->Render();
       // Beyond eight lookups positions are transformed where pixels are shaded: another rounding.
       Check("light " + std::to_string(i) + ": pixels unlike it alone",
-        static_cast<double>(CountDifferent(together[i], this->VisibilityOf(lights[i]))), 0.0, 2.0);
-      EXPECT_GT(together[i].CountShadowed(), 70u);
-    }
-    for (const auto& light : lights)
-    {
-      light->SwitchOn();
+        static_cast<double>(CountDifferent(together, this->VisibilityOf(lights[i]))), 0.0, 2.0);
+      EXPECT_GT(together.CountShadowed(), 70u);
     }
   }
 }

@@ -19,8 +19,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     PAGE_EXAMPLE,
     AREA_EXAMPLE,
     PLANAR_EXAMPLE,
-) = sys.argv[1:8]
-FOLDER = pathlib.Path(sys.argv[8])
+    TEXTURE_EXAMPLE,
+) = sys.argv[1:9]
+FOLDER = pathlib.Path(sys.argv[9])
 
 
 def read_png(path):
@@ -124,6 +125,19 @@ class TestExamples(unittest.TestCase):
         shares = [100 * float(part.mean()) for part in (texture == 0, texture % 255 > 0, texture == 255)]
         print(f"texture dark, between, lit: got {shares} %, expected 10 and more of each")
         self.assertTrue(min(shares) >= 10)
+
+    def test_shadow_texture(self):
+        file = FOLDER / "shadow_texture.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, TEXTURE_EXAMPLE, str(file))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Nothing shadows itself", done.stdout)
+        hard = float(re.search(r"hard: ([\d.]+) %", done.stdout)[1])
+        soft = float(re.search(r"soft: ([\d.]+) from", done.stdout)[1])
+        print(f"errors: got {hard} % and {soft}, expected at most 0.05 % and 0.004")
+        self.assertLessEqual(hard, 0.05)
+        self.assertLessEqual(soft, 0.004)
+        self.assertEqual(read_png(file).shape[:2], (480, 640))
 
 
 if __name__ == "__main__":
