@@ -313,31 +313,31 @@ bool SoftShadowMayBeSeen(const glm::dmat4& clipFromWorld, const glm::dvec4& ligh
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::dvec4> SidesTowardLight(const glm::dvec4& light, const BoxCorners& box)
+std::vector<glm::dvec4> SidesTowardLight(
+  const glm::dvec4& light, double radius, const BoxCorners& box)
 {
+  const glm::dvec3 axes[3] = { box[1] - box[0], box[2] - box[0], box[4] - box[0] };
+  const double size = glm::length(axes[0]) + glm::length(axes[1]) + glm::length(axes[2]);
   std::vector<glm::dvec4> sides;
-  const glm::dvec3 centre = 0.5 * (box[0] + box[7]);
-  for (const auto& face : BoxFaces)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const glm::dvec3 across = glm::cross(box[face[1]] - box[face[0]], box[face[3]] - box[face[0]]);
+    const glm::dvec3 across = glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]);
     const double area = glm::length(across);
-    if (!(area > 0.0))
+    if (!(area > SideTolerance * SideTolerance * size * size))
     {
-      continue;
+      continue; // as thin as this, it points nowhere
     }
-    glm::dvec3 normal = across / area;
-    const auto isLit = [&]()
-    { return glm::dot(normal, glm::dvec3(light)) > light.w * glm::dot(normal, box[face[0]]); };
-    const double outward = glm::dot(normal, box[face[0]] - centre);
-    const bool isFlat = std::abs(outward) <= SideTolerance * glm::distance(box[0], box[7]);
-    // Of a flat box the light tells which way is out.
-    if (isFlat ? !isLit() : outward < 0.0)
+    for (const glm::dvec3& normal : { across / area, -across / area })
     {
-      normal = -normal;
-    }
-    if (isLit())
-    {
-      sides.emplace_back(normal, glm::dot(normal, box[face[0]]));
+      double farthest = -Infinity;
+      for (const glm::dvec3& p : box)
+      {
+        farthest = std::max(farthest, glm::dot(normal, p));
+      }
+      if (glm::dot(normal, glm::dvec3(light)) - radius > light.w * farthest)
+      {
+        sides.emplace_back(normal, farthest);
+      }
     }
   }
   return sides;

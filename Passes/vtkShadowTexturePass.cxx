@@ -6,6 +6,7 @@
 #include "vtkShadowMapViews.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
+#include "vtkShadowPass.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
 #include "vtkShadowTexturePassEach.h"
@@ -13,6 +14,7 @@
 #include "vtkShadowedShadingPass.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp3D.h"
 #include "vtkShaderProgram.h"
@@ -47,9 +49,9 @@ constexpr int Searches = 16;
 constexpr int Samples = 32;
 
 // Uniforms that are left to VTK's own shaders and to other techniques, in floats; and what a
-// texture of its own needs of a prop's shader: a matrix, a layer, four sides and a width.
+// texture of its own needs of a prop's shader: a matrix, a layer and a width.
 constexpr int UniformsOfOthers = 512;
-constexpr int UniformsOfTexture = 34;
+constexpr int UniformsOfTexture = 18;
 
 // No position: lit, in either lookup.
 constexpr ShaderMatrix Nowhere = {};
@@ -87,6 +89,48 @@ double DepthOf(const vtkshadows::ShadowLight& light, const vtkShadowScene::Prop&
   return depth;
 }
 
+bool IsToldToCast(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(vtkShadowPass::CASTS_SHADOWS()) &&
+    keys->Get(vtkShadowPass::CASTS_SHADOWS()) != 0;
+}
+
+// What is flat and has the middle of all else on its lit side: a floor on which things stand, or in
+// which they are sunk a bit.
+bool IsGround(const vtkShadowScene& scene, const vtkshadows::ShadowLight& light,
+  const vtkShadowScene::Prop& prop)
+{
+  const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
+  for (const vtkShadowScene::Piece& flat : prop.Pieces)
+  {
+    const glm::dvec3 normal(flat.PlaneWC);
+    const double lit = glm::dot(normal, glm::dvec3(lightWC)) - flat.PlaneWC.w * lightWC.w;
+    if (lit == 0.0) // or no plane
+    {
+      return false;
+    }
+    for (const vtkShadowScene::Prop& other : scene.GetProps())
+    {
+      if (other.Source == prop.Source || (!other.Casts && !other.Receives))
+      {
+        continue;
+      }
+      for (const vtkShadowScene::Piece& piece : other.Pieces)
+      {
+        const glm::dvec3 middle = 0.5 * (piece.CornersWC[0] + piece.CornersWC[7]);
+        const double height = glm::dot(normal, middle) - flat.PlaneWC.w;
+        const double rounding = std::ldexp(flat.VertexReach + piece.VertexReach, -20);
+        if ((lit > 0.0 ? height : -height) < -rounding)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
 // How wide the light's disc is seen through a caster, in texels per depth between it and a
 // receiver. A perspective map's depths are linear in the inverse of the distance, and so is that.
 double WidthPerDepth(const vtkshadows::ShadowLight& light, const LightView& view, int width)
@@ -94,10 +138,6 @@ double WidthPerDepth(const vtkshadows::ShadowLight& light, const LightView& view
   const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
   return 2.0 * light.radius * width * view.clipFromView[0][0] / std::abs(step);
 }
-
-// Sides of a box that a light is beyond, at most: three of it, and of a flat one two that coincide
-// count once more.
-constexpr std::size_t MostSides = 4;
 
 // The bounds of casters: those of a single piece as they lie, else along the world's axes.
 BoxCorners BoundsOf(const vtkShadowScene& scene, const std::vector<std::size_t>& casters)
@@ -116,21 +156,10 @@ BoxCorners BoundsOf(const vtkShadowScene& scene, const std::vector<std::size_t>&
                      : bounds.Corners();
 }
 
-// A plane n.x = d of the world in a texture's texels and depth, as floats of which the sign counts.
-std::array<float, 4> SideInMap(const glm::dvec4& sideWC, const glm::dmat4& worldFromMap)
-{
-  glm::dvec4 side = glm::dvec4(glm::dvec3(sideWC), -sideWC.w) * worldFromMap;
-  const glm::dvec4 size = glm::abs(side);
-  side /= std::max(std::max(size.x, size.y), std::max(size.z, size.w));
-  return { static_cast<float>(side.x), static_cast<float>(side.y), static_cast<float>(side.z),
-    static_cast<float>(side.w) };
-}
-constexpr std::array<float, 4> NoSide = { 0.0f, 0.0f, 0.0f, -1.0f };
-
 // A texture as it is looked up in this frame.
 struct Texture
 {
-  std::vector<glm::dvec4> SidesWC; // see vtkshadows::SidesTowardLight; at most MostSides
+  std::vector<glm::dvec4> SidesWC; // see vtkshadows::SidesTowardLight
   glm::dmat4 FromView{ 0.0 }; // from the eye's view coordinates to texels and depth, homogeneous
   int Layer = 0;
   double Size[2] = { 0.0, 0.0 }; // texels
@@ -203,12 +232,12 @@ public:
   Shape Now, Before;
   std::vector<Texture> Textures;
   std::vector<ShaderMatrix> Matrices;               // of the textures
-  std::vector<std::array<float, 4>> Sides;          // MostSides a layer
   std::vector<float> Widths;                        // by layer
   std::unordered_map<const void*, Reach> Reached;   // leaves, tops, and their keys
   std::unordered_set<const void*> Told, ToldBefore; // those that any texture reaches
   vtkTimeStamp Stamp;
   bool Drew = false;
+  bool WasInVain = false; // the frame before had casters and nothing that could receive
 
   const Reach* ReachOf(vtkProp* prop) const;
   std::size_t UpdateReach(const vtkShadowFrame& frame, const std::vector<int>& lights,
@@ -334,10 +363,9 @@ std::string vtkShadowTexturePass::GetLimits()
 {
   return "Nothing shadows itself. With one texture for all casters of a light, casters take no "
          "shadow "
-         "from it: let what shall receive (the ground) not cast (CASTS_SHADOWS 0), or use a "
-         "texture "
-         "for each caster. A receiver between the near side of the casters' bounds and a caster "
-         "behind it is darkened by that. An edge is as sharp as the texels.";
+         "from it: let what shall receive (a terrain) not cast (CASTS_SHADOWS 0), or use a texture "
+         "for each caster. An edge is as sharp as the texels; a caster closer to its receiver than "
+         "half a texel or 1/65536 of the casters' depth throws no shadow there.";
 }
 
 //------------------------------------------------------------------------------
@@ -355,20 +383,25 @@ vtkShadowMapRoles vtkShadowTexturePass::GetRoles(const vtkShadowFrame& frame) co
   vtkShadowMapRoles roles;
   roles.SelfShadows = false;
   roles.MapPerCaster = this->Internal->Now.PerCaster;
+  roles.DifferByLight = true;
+  const vtkShadowScene* scene = frame.Scene;
   if (this->CasterSelection == BY_NEAR_PLANE)
   {
     const auto isBefore = [this](
                             const vtkShadowScene::Light& light, const vtkShadowScene::Prop& prop)
     { return DepthOf(light.Ray, prop) <= this->NearPlane; };
-    roles.DifferByLight = true;
     roles.Casts = [isBefore](const vtkShadowScene::Light& light, const vtkShadowScene::Prop& prop)
     { return prop.Casts && isBefore(light, prop); };
     roles.Receives = [isBefore](
                        const vtkShadowScene::Light& light, const vtkShadowScene::Prop& prop)
     { return prop.Receives && !isBefore(light, prop); };
   }
+  else
+  {
+    roles.Casts = [scene](const vtkShadowScene::Light& light, const vtkShadowScene::Prop& prop)
+    { return prop.Casts && (IsToldToCast(prop.Source) || !IsGround(*scene, light.Ray, prop)); };
+  }
   const glm::dmat4 clipFromWorld = frame.ClipFromView * frame.ViewFromWorld;
-  const vtkShadowScene* scene = frame.Scene;
   vtkshadows::Box receivers;
   for (const BoxCorners& corners : vtkShadowReceiverCorners(*scene))
   {
@@ -433,7 +466,6 @@ bool vtkShadowTexturePass::UpdateVisibility(
   my.Textures.clear();
   my.Matrices.clear();
   my.Widths.clear();
-  my.Sides.clear();
   for (const vtkShadowMapSlot& slot : views.GetSlots())
   {
     for (const vtkShadowMapView& view : slot.Views)
@@ -448,14 +480,7 @@ bool vtkShadowTexturePass::UpdateVisibility(
       my.Widths.resize(std::max(my.Widths.size(), static_cast<std::size_t>(view.Layer) + 1), 0.0f);
       my.Widths[static_cast<std::size_t>(view.Layer)] = static_cast<float>(texture.WidthPerDepth);
       texture.SidesWC = vtkshadows::SidesTowardLight(
-        vtkshadows::HomogeneousLight(slot.Light), BoundsOf(scene, view.Casters));
-      const glm::dmat4 worldFromMap = glm::inverse(texture.FromView * frame.ViewFromWorld);
-      my.Sides.resize(MostSides * my.Widths.size(), NoSide);
-      for (std::size_t i = 0; i < std::min(texture.SidesWC.size(), MostSides); ++i)
-      {
-        my.Sides[MostSides * static_cast<std::size_t>(view.Layer) + i] =
-          SideInMap(texture.SidesWC[i], worldFromMap);
-      }
+        vtkshadows::HomogeneousLight(slot.Light), slot.Light.radius, BoundsOf(scene, view.Casters));
       my.Matrices.push_back(vtkShadowMatrix::ToFloats(texture.FromView));
       my.Textures.push_back(texture);
     }
@@ -467,7 +492,6 @@ bool vtkShadowTexturePass::UpdateVisibility(
   my.Now.Layers = std::max(my.Now.Layers, RoundedUp(my.Widths.size()));
   my.Now.Most = my.Now.PerCaster ? std::max(my.Now.Most, RoundedUp(most)) : 1;
   my.Widths.resize(my.Now.Layers, 0.0f);
-  my.Sides.resize(MostSides * my.Now.Layers, NoSide);
   if (!(my.Now == my.Before) || my.Told != my.ToldBefore)
   {
     my.Before = my.Now;
@@ -501,10 +525,13 @@ void vtkShadowTexturePass::TellWhatReceives(
     }
     anyInVain = anyInVain || (!slots[slot].CasterProps.empty() && !anyReceives);
   }
+  // Not of a single frame: a script may hide what receives for one.
+  const bool isLasting = anyInVain && my.WasInVain;
+  my.WasInVain = anyInVain;
   this->WarnOnce(&my.Reached,
-    anyInVain
+    isLasting
       ? "All that receives casts, too, and a caster takes no shadow from a texture that it is "
-        "in: nothing is darkened. Let what shall receive (the ground) not cast (CASTS_SHADOWS "
+        "in: nothing is darkened. Let what shall receive (a terrain) not cast (CASTS_SHADOWS "
         "0), or set TexturePerCaster."
       : std::string());
 }
@@ -522,8 +549,7 @@ bool vtkShadowTexturePass::ReserveMaps(
 {
   using Format = vtkShadowTextureArray::Format;
   Internals& my = *this->Internal;
-  const bool isNew =
-    my.Maps.Reserve(frame.Window, my.Now.Soft ? Format::RG16 : Format::R8, width, height, layers);
+  const bool isNew = my.Maps.Reserve(frame.Window, Format::RG16, width, height, layers);
   if (isNew && my.Maps.Id())
   {
     my.Maps.Smooth();
@@ -555,8 +581,7 @@ void vtkShadowTexturePass::DrawMap(const vtkShadowFrame& frame, const vtkShadowM
   target.Confine(width, height, 1);
   frame.Shading->DrawCasters(frame, view.Casters, view.View,
     my.HiddenFaces.CulledOf(
-      frame.Scene->GetProps(), view.Casters, vtkshadows::HomogeneousLight(slot.Light)),
-    my.Now.Soft);
+      frame.Scene->GetProps(), view.Casters, vtkshadows::HomogeneousLight(slot.Light)));
   my.Drew = true;
 }
 
@@ -571,8 +596,7 @@ std::string vtkShadowTexturePass::GetCompareDeclarations() const
       Define("LEVELS", static_cast<std::size_t>(this->LevelsOfTexture())) +
       Define("SEARCHES", Searches) + Define("SAMPLES", Samples);
   }
-  return Define("LAYERS", my.Now.Layers) + Define("SIDES", MostSides) + soft +
-    vtkShadowTexturePassLookup;
+  return Define("LAYERS", my.Now.Layers) + soft + vtkShadowTexturePassLookup;
 }
 
 std::string vtkShadowTexturePass::GetLookupDeclarations() const
@@ -631,8 +655,6 @@ void vtkShadowTexturePass::SetLookupParameters(vtkShaderProgram* program, vtkPro
 {
   const Internals& my = *this->Internal;
   this->Superclass::SetLookupParameters(program, prop);
-  program->SetUniform4fv("shadowTextureSides", static_cast<int>(my.Sides.size()),
-    reinterpret_cast<const float(*)[4]>(my.Sides.data()));
   if (my.Now.Soft)
   {
     program->SetUniform1fv(

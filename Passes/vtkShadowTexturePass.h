@@ -3,29 +3,31 @@
  * @brief   visibility by a picture of the casters, thrown from the light like a slide
  *
  * Technique "shadow-texture", form lookup: the casters are drawn from the light, dark on white,
- * into a texture fitted to their bounds, and the texture is projected on the receivers. It holds no
- * depths that a receiver would be compared with: nothing of it can show acne, and its edges are as
- * smooth as the texture's own filter makes them. Directional, spot and point lights; a light amid
- * its casters has the faces of a cube. When a texture is drawn again, see vtkMapShadowPass.
+ * into a texture fitted to their bounds, and the texture is projected on the receivers. What a
+ * texel is covered by is a picture: its edges are smoothed by the texture's own filter, at one
+ * fetch a fragment. Nothing of it can show acne, since no caster is a receiver of a texture that it
+ * is in. Beside the coverage lies the casters' depth, by which a receiver before them stays lit,
+ * and so does what lies behind the light. Directional, spot and point lights; a light amid its
+ * casters has the faces of a cube. When a texture is drawn again, see vtkMapShadowPass.
  *
- * A texture is made for what can be seen alone: not if its shadows miss the view, and what lies off
- * its frustum has no code for it in its shader. What lies behind a light takes no shadow from it,
- * nor does what lies before the near side of the bounds of the casters in the texture.
+ * A texture is made for what can be seen alone: not if its shadows miss the view; and what lies off
+ * its frustum has no code for it in its shader.
  *
  * **Who casts, who receives** is said by the keys of vtkShadowPass, or by a near plane
- * (SetCasterSelection). A caster is not darkened by a texture that it is in: with one texture for
- * all casters (default), casters are lit. With a texture for each (SetTexturePerCaster), a caster
- * is darkened by those of the others.
+ * (SetCasterSelection). Without a key that says so, what is flat and has the middle of all else on
+ * its lit side (a floor, and things that stand on it or are sunk in it) does not cast. A caster is
+ * not darkened by a texture that it is in: with one texture for all casters (default), casters are
+ * lit. With a texture for each (SetTexturePerCaster), a caster is darkened by those of the others.
  *
- * A light with a radius has soft edges, the wider, the farther a receiver lies behind its caster.
- * The texture then holds the casters' depths beside their coverage, and smaller copies of both: the
- * mean depth around a receiver tells how wide the light's disc is seen there, and the mean coverage
- * of that disc is what is hidden of it.
+ * A light with a radius has soft edges, the wider, the farther a receiver lies behind its caster:
+ * the mean depth of the casters around a receiver tells how wide the light's disc is seen there,
+ * and the mean coverage of that disc, read from smaller copies of the texture, is what is hidden of
+ * it.
  *
  * Limits, which GetLimits says, too: nothing shadows itself. With one texture, casters take no
- * shadow at all; a scene in which everything casts, and so nothing receives, gets one warning. A
- * receiver between the near side of the casters' bounds and a caster behind it is darkened by that,
- * though it lies before it. An edge is as sharp as the texels.
+ * shadow at all; a scene in which everything casts, and so nothing receives, gets one warning, in
+ * the second such frame in a row. An edge is as sharp as the texels. A caster closer to its
+ * receiver than half a texel, or 1/65536 of the casters' depth, throws no shadow there.
  *
  * @par Reference
  * Segal, M., Korobkin, C., van Widenfelt, R., Foran, J. and Haeberli, P.: Fast shadows and lighting
@@ -54,10 +56,9 @@ public:
   ///@{
   /**
    * A texture for each prop that casts, fitted to its own bounds, instead of one for all of a light
-   * (off, default). Then casters take the shadows of others, where they lie behind the near side of
-   * the other's bounds, and only the textures of casters that changed are drawn again. Each costs
-   * the memory of a texture, and a lookup wherever it may reach. Above what the driver's shaders
-   * can hold: one warning, and one texture for all.
+   * (off, default). Then casters take the shadows of others, and only the textures of casters that
+   * changed are drawn again. Each costs the memory of a texture, and a lookup wherever it may
+   * reach. Above what the driver's shaders can hold: one warning, and one texture for all.
    */
   vtkSetMacro(TexturePerCaster, bool);
   vtkGetMacro(TexturePerCaster, bool);
@@ -72,7 +73,7 @@ public:
   ///@{
   /**
    * How casters are told from receivers: one of CasterSelectionType (default BY_FLAG); another
-   * value is an error and changes nothing. By near plane a prop whose bounds all lie before it
+   * value is an error and changes nothing. By near plane, a prop whose bounds all lie before it
    * casts and does not receive, and any other receives and does not cast; keys that say 0 still
    * hold.
    */

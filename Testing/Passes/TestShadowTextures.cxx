@@ -709,12 +709,56 @@ TEST_F(ShadowTextures, LightsInImpossiblePlaces)
   }
 }
 
+// A floor in which things are sunk a bit receives; one that is told to cast does not.
+TEST_F(ShadowTextures, AFloorReceives)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddFlyer();
+  AddSphere(this->Renderer, { 1.8, 0.0, 0.3 }, 0.5);
+  auto sun = this->AddLight(0);
+  this->Render();
+  this->CheckMeasure("sunk", sun, Mismatch, 0.0);
+  CheckAtLeast("pixels in shadow", this->Shadowed(sun), 1000.0);
+  vtkShadowPass::SetCastsShadows(this->Floor, true);
+  this->Render();
+  Check("told to cast: pixels in shadow", this->Shadowed(sun), 0.0);
+  ExpectOneMessage({ "casts, too" });
+}
+
+// A caster that lies behind a receiver does not darken it, hard or soft.
+TEST_F(ShadowTextures, BeforeACaster)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddFlyer();
+  AddBox(this->Renderer, { -4.0, -4.0, -1.2 }, { 4.0, 4.0, -1.0 });
+  vtkShadowPass::SetCastsShadows(this->Floor, false);
+  auto column = AddBox(this->Renderer, { -2.0, -1.0, 0.0 }, { -1.8, -0.8, 2.5 });
+  vtkShadowPass::SetCastsShadows(column, false);
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    auto light = this->AddLight(kind);
+    for (const bool each : { false, true })
+    {
+      this->Pass()->SetTexturePerCaster(each);
+      this->Shadows->SetLightRadius(light, 0.0);
+      this->Render();
+      this->CheckMeasure(std::string(Kinds[kind]), light, Mismatch, 0.0);
+      this->Shadows->SetLightRadius(light, kind == 0 ? 0.06 : 0.4);
+      this->Render();
+      this->CheckDifference(std::string(Kinds[kind]) + ", soft", light, 0.006);
+    }
+    this->Renderer->RemoveLight(light);
+  }
+}
+
 // Where all that receives casts, too, nothing can be darkened: said once, and the frame is lit.
 TEST_F(ShadowTextures, NothingReceives)
 {
   auto box = AddBox(this->Renderer, { -2.0, -2.0, 0.0 }, { 2.0, 2.0, 0.4 });
   AddSphere(this->Renderer, { 0.0, 0.0, 1.6 }, 0.7);
   auto sun = this->AddLight(0);
+  this->Render();
+  EXPECT_TRUE(TakeMessages().empty()) << "told of a single frame";
   const Frame frame = this->Render();
   ExpectOneMessage({ "vtkShadowTexturePass", "casts, too", "CASTS_SHADOWS", "TexturePerCaster" });
   Check("pixels unlike the unshadowed frame",
