@@ -96,6 +96,25 @@ bool IsToldToCast(vtkProp* prop)
     keys->Get(vtkShadowPass::CASTS_SHADOWS()) != 0;
 }
 
+// The plane n.x = d of what is flat, as (n, d), n of length 1; n = 0 if it is not. The scene knows
+// that of plain meshes; of others (composite ones, as ParaView's are) flat bounds tell it.
+glm::dvec4 PlaneOf(const vtkShadowScene::Piece& piece)
+{
+  const BoxCorners& box = piece.CornersWC;
+  const glm::dvec3 axes[3] = { box[1] - box[0], box[2] - box[0], box[4] - box[0] };
+  glm::dvec4 plane = piece.PlaneWC;
+  for (int axis = 0; axis < 3 && glm::dvec3(plane) == glm::dvec3(0.0); ++axis)
+  {
+    if (glm::length(axes[axis]) <= std::ldexp(piece.VertexReach, -24))
+    {
+      const glm::dvec3 normal = glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]);
+      plane = glm::dvec4(normal, glm::dot(normal, box[0]));
+    }
+  }
+  const double length = glm::length(glm::dvec3(plane));
+  return length > 0.0 ? plane / length : glm::dvec4(0.0);
+}
+
 // What is flat and has the middle of all else on its lit side: a floor on which things stand, or in
 // which they are sunk a bit.
 bool IsGround(const vtkShadowScene& scene, const vtkshadows::ShadowLight& light,
@@ -104,8 +123,9 @@ bool IsGround(const vtkShadowScene& scene, const vtkshadows::ShadowLight& light,
   const glm::dvec4 lightWC = vtkshadows::HomogeneousLight(light);
   for (const vtkShadowScene::Piece& flat : prop.Pieces)
   {
-    const glm::dvec3 normal(flat.PlaneWC);
-    const double lit = glm::dot(normal, glm::dvec3(lightWC)) - flat.PlaneWC.w * lightWC.w;
+    const glm::dvec4 planeWC = PlaneOf(flat);
+    const glm::dvec3 normal(planeWC);
+    const double lit = glm::dot(normal, glm::dvec3(lightWC)) - planeWC.w * lightWC.w;
     if (lit == 0.0) // or no plane
     {
       return false;
@@ -119,7 +139,7 @@ bool IsGround(const vtkShadowScene& scene, const vtkshadows::ShadowLight& light,
       for (const vtkShadowScene::Piece& piece : other.Pieces)
       {
         const glm::dvec3 middle = 0.5 * (piece.CornersWC[0] + piece.CornersWC[7]);
-        const double height = glm::dot(normal, middle) - flat.PlaneWC.w;
+        const double height = glm::dot(normal, middle) - planeWC.w;
         const double rounding = std::ldexp(flat.VertexReach + piece.VertexReach, -20);
         if ((lit > 0.0 ? height : -height) < -rounding)
         {
