@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -548,12 +549,20 @@ void vtkShadowTexturePass::TellWhatReceives(
   // Not of a single frame: a script may hide what receives for one.
   const bool isLasting = anyInVain && my.WasInVain;
   my.WasInVain = anyInVain;
-  this->WarnOnce(&my.Reached,
-    isLasting
-      ? "All that receives casts, too, and a caster takes no shadow from a texture that it is "
-        "in: nothing is darkened. Let what shall receive (a terrain) not cast (CASTS_SHADOWS "
-        "0), or set TexturePerCaster."
-      : std::string());
+  std::ostringstream message;
+  if (isLasting && this->CasterSelection == BY_NEAR_PLANE)
+  {
+    message << "All that could receive lies before the near plane, " << this->NearPlane
+            << " before a light: nothing is darkened. Set NearPlane between casters and receivers.";
+  }
+  else if (isLasting)
+  {
+    message
+      << "All that receives casts, too, and a caster takes no shadow from a texture that it is "
+         "in: nothing is darkened. Let what shall receive (a terrain) not cast (CASTS_SHADOWS "
+         "0), or set TexturePerCaster.";
+  }
+  this->WarnOnce(&my.Reached, message.str());
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkSphereSource.h>
 #include <vtkTransform.h>
 
 #include <algorithm>
@@ -232,6 +233,33 @@ TEST_F(ShadowTextures, NothingShadowsItself)
   EXPECT_NE(vtkShadowTexturePass::GetLimits().find("Nothing shadows itself"), std::string::npos);
 }
 
+// Nor does what casts in its place: a larger ball around it.
+TEST_F(ShadowTextures, AStandInShadowsItsPropNot)
+{
+  this->AddFlyer();
+  auto sun = this->AddLight(0);
+  this->Render();
+  const double before = this->Shadowed(sun);
+  vtkNew<vtkSphereSource> hull;
+  hull->SetCenter(0.0, 0.0, 1.6);
+  hull->SetRadius(1.0);
+  hull->Update();
+  vtkShadowPass::SetStandIn(this->Ball, hull->GetOutput());
+  for (const bool each : { false, true })
+  {
+    this->Pass()->SetTexturePerCaster(each);
+    this->Render();
+    CheckAtLeast("pixels in shadow, over those without", this->Shadowed(sun) / before, 1.2);
+    vtkShadowPass::SetReceivesShadows(this->Floor, false);
+    auto away = AddSphere(this->Renderer, { -20.0, 0.0, 0.0 }, 0.2);
+    vtkShadowPass::SetCastsShadows(away, false);
+    this->Render();
+    Check("pixels in shadow, of the ball", this->Shadowed(sun), 0.0);
+    this->Renderer->RemoveActor(away);
+    vtkShadowPass::SetReceivesShadows(this->Floor, true);
+  }
+}
+
 // Each with a texture of its own: a ball shadows the box under it, and the box not the ball.
 TEST_F(ShadowTextures, OneEachShadowsOtherCasters)
 {
@@ -435,6 +463,14 @@ TEST_F(ShadowTextures, ByNearPlane)
     CheckAtLeast(name + "both balls before it", shadowOf(kind == 2 ? 6.5 : 5.97) - one, 200.0);
     this->Renderer->RemoveLight(light);
   }
+  // All before the plane.
+  auto sun = AddSun(this->Renderer, { 0.0, 0.0, -1.0 });
+  sun->SetPosition(0.0, 0.0, 6.0);
+  this->Pass()->SetNearPlane(50.0);
+  this->Render();
+  this->Render();
+  ExpectOneMessage({ "vtkShadowTexturePass", "near plane, 50", "Set NearPlane" });
+  this->Renderer->RemoveLight(sun);
   // Keys still hold.
   AddSun(this->Renderer, { 0.0, 0.0, -1.0 })->SetPosition(0.0, 0.0, 6.0);
   vtkShadowPass::SetCastsShadows(this->Ball, false);
