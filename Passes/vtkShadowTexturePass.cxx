@@ -42,8 +42,9 @@ using ShaderMatrix = vtkShadowMapViews::ShaderMatrix;
 constexpr double HardMarginTexels = 2.0;
 
 // Smaller copies of a texture smear it over its own rim: a soft light's keeps this share of its
-// texels free around it, and as many copies as smear no farther.
-constexpr double SoftMarginShare = 1.0 / 16.0;
+// texels free around it, and as many copies as smear no farther. Beside a single caster a penumbra
+// is a larger part of the texture.
+constexpr double SoftMarginShare = 1.0 / 8.0, SoftMarginShareOfOne = 1.0 / 4.0;
 
 // Places of the light's disc that are read, for the casters' depth and for its coverage.
 constexpr int Searches = 16;
@@ -392,10 +393,14 @@ std::string vtkShadowTexturePass::GetLimits()
 //------------------------------------------------------------------------------
 double vtkShadowTexturePass::GetMarginTexels() const
 {
-  return this->Internal->Now.Soft
-    ? std::max(
-        HardMarginTexels, SoftMarginShare * this->WithinDriver("Resolution", this->Resolution))
-    : HardMarginTexels;
+  const Internals& my = *this->Internal;
+  if (!my.Now.Soft)
+  {
+    return HardMarginTexels;
+  }
+  const int side = this->WithinDriver("Resolution", this->Resolution);
+  return std::max(
+    HardMarginTexels, side * (my.Now.PerCaster ? SoftMarginShareOfOne : SoftMarginShare));
 }
 
 //------------------------------------------------------------------------------

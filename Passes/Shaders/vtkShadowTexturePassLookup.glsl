@@ -18,15 +18,17 @@ vec2 shadowTextureAt(int layer, vec3 p, float level)
 uniform float shadowTextureWidths[SHADOW_TEXTURE_LAYERS];
 
 // The mean over a disc of `width` texels by n places of a sunflower (Vogel 1979). Each is read from the level
-// whose texels are as far apart as the places.
+// whose texels are as far apart as the places, and the places keep in by so much that the blur of these texels and
+// of their filter, of a variance of a quarter of a texel's square, leaves the disc as wide as it is.
 vec2 shadowTextureMean(int layer, vec3 p, float width, int n)
 {
   float level = clamp(log2(width * inversesqrt(float(n))), 0.0, float(SHADOW_TEXTURE_LEVELS));
+  float radius = sqrt(max(0.25 * width * width - exp2(2.0 * level), 0.0));
   vec2 sum = vec2(0.0);
   for (int i = 0; i < n; ++i)
   {
     float angle = 2.39996323 * float(i);
-    float reach = 0.5 * width * sqrt((float(i) + 0.5) / float(n));
+    float reach = radius * sqrt((float(i) + 0.5) / float(n));
     sum += shadowTextureAt(layer, vec3(p.xy + reach * vec2(cos(angle), sin(angle)), p.z), level);
   }
   return sum / float(n);
