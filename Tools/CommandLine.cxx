@@ -65,7 +65,9 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
       "are transparent, with alpha), or NX,NY,NZ,D: the plane n.x = D")
     ->type_name("SPEC")
     ->capture_default_str();
-  app.add_option("--resolution", raw.resolution, "texels on the longer side of a depth map or shadow texture")
+  app
+    .add_option(
+      "--resolution", raw.resolution, "texels on the longer side of a depth map or shadow texture")
     ->type_name("N");
   app
     .add_option("--light-samples", raw.lightSamples,
