@@ -29,6 +29,12 @@ LIGHTS = {
     "spot": lambda: spot_light((4, -4, 7), (0, 0, 0.4), 32),
 }
 
+WAYS = {
+    "planar": ("planar", {}),
+    "planar, textures": ("planar", {"plane_textures": True}),
+    "depth-map": ("depth-map", {}),
+}
+
 
 def two_bodies(light, side=224):
     """A sphere and a torus of 2 * side**2 triangles each."""
@@ -49,13 +55,6 @@ def two_bodies(light, side=224):
     return renderer
 
 
-WAYS = {
-    "planar": ("planar", {}),
-    "planar, textures": ("planar", {"plane_textures": True}),
-    "depth-map": ("depth-map", {}),
-}
-
-
 def passes(renderer, ways):
     """The ways to compare, each a vtkShadowPass of its own."""
     made = {}
@@ -65,7 +64,7 @@ def passes(renderer, ways):
     return made
 
 
-def compare(light, rounds, ways=WAYS):
+def compare(light, rounds, ways):
     """Ratios to the unshadowed frame, every way in every round, so that all share the machine's moods."""
     renderer = two_bodies(light)
     window = vtkRenderWindow()
@@ -106,15 +105,15 @@ def compare(light, rounds, ways=WAYS):
         )
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def main(title, ways):
+    parser = argparse.ArgumentParser(description=title)
     parser.add_argument("--rounds", type=int, default=30)
     parser.add_argument("--lights", default="directional,spot")
     options = parser.parse_args()
     print("| light | technique | unshadowed ms | static | moving |\n|---|---|---|---|---|")
     for light in options.lights.split(","):
-        compare(light, options.rounds)
+        compare(light, options.rounds, ways)
 
 
 if __name__ == "__main__":
-    main()
+    main(__doc__.splitlines()[0], WAYS)

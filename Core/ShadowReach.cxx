@@ -275,6 +275,75 @@ bool ShadowMayBeSeen(
 }
 
 //------------------------------------------------------------------------------
+// The light is taken for a cube around it. What lies behind a plane of the view for its corners
+// does so for all in it, since they throw the caster on one far plane, or none.
+bool SoftShadowMayBeSeen(const glm::dmat4& clipFromWorld, const glm::dvec4& light, double radius,
+  const BoxCorners& caster, const Box& receivers)
+{
+  std::vector<glm::dvec4> lights;
+  for (int corner = 0; corner < (radius > 0.0 ? 8 : 1); ++corner)
+  {
+    const glm::dvec3 side(
+      corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+    lights.push_back(light + glm::dvec4(radius * side, 0.0));
+  }
+  const glm::dvec4 farPlane = FarPlane(light, caster, receivers);
+  const glm::dvec3 outward(farPlane);
+  const bool ends = std::all_of(lights.begin(), lights.end(),
+    [&](const glm::dvec4& from)
+    {
+      return std::all_of(caster.begin(), caster.end(),
+        [&](const glm::dvec3& p) { return glm::dot(outward, Along(from, p)) > 0.0; });
+    });
+  const auto liesBehind = [&](const glm::dvec4& plane)
+  {
+    const auto isBehind = [&plane](const glm::dvec3& p)
+    { return glm::dot(plane, glm::dvec4(p, 1.0)) < 0.0; };
+    return std::all_of(lights.begin(), lights.end(),
+      [&](const glm::dvec4& from)
+      {
+        return !ends ? ShadowLiesBehind(plane, from, caster)
+                     : std::all_of(caster.begin(), caster.end(),
+                         [&](const glm::dvec3& p)
+                         { return isBehind(p) && isBehind(ImageOnPlane(from, farPlane, p)); });
+      });
+  };
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  return std::none_of(planes.begin(), planes.begin() + SidePlanes, liesBehind);
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> SidesTowardLight(
+  const glm::dvec4& light, double radius, const BoxCorners& box)
+{
+  const glm::dvec3 axes[3] = { box[1] - box[0], box[2] - box[0], box[4] - box[0] };
+  const double size = glm::length(axes[0]) + glm::length(axes[1]) + glm::length(axes[2]);
+  std::vector<glm::dvec4> sides;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 across = glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]);
+    const double area = glm::length(across);
+    if (!(area > SideTolerance * SideTolerance * size * size))
+    {
+      continue; // as thin as this, it points nowhere
+    }
+    for (const glm::dvec3& normal : { across / area, -across / area })
+    {
+      double farthest = -Infinity;
+      for (const glm::dvec3& p : box)
+      {
+        farthest = std::max(farthest, glm::dot(normal, p));
+      }
+      if (glm::dot(normal, glm::dvec3(light)) - radius > light.w * farthest)
+      {
+        sides.emplace_back(normal, farthest);
+      }
+    }
+  }
+  return sides;
+}
+
+//------------------------------------------------------------------------------
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster)
 {
   const double size = glm::length(receivers.maximum - receivers.minimum);

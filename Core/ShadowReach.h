@@ -63,6 +63,18 @@ glm::dvec3 ImageOnPlane(
 bool ShadowMayBeSeen(
   const glm::dmat4& clipFromWorld, const glm::dvec4& light, const BoxCorners& caster);
 
+// The same for what the four sides of the view hold at whatever depth, of a light whose luminous
+// points lie within `radius` of `light`, in its coordinates, and of shadows that end behind
+// `receivers`.
+bool SoftShadowMayBeSeen(const glm::dmat4& clipFromWorld, const glm::dvec4& light, double radius,
+  const BoxCorners& caster, const Box& receivers);
+
+// The planes (n, d) of those sides of a box, at most three, n.x = d with n outward and unit, that
+// the light is beyond, with all its luminous points within `radius` of it. What lies beyond one of
+// them, too, has its whole way to the light there: the box cannot shadow it.
+std::vector<glm::dvec4> SidesTowardLight(
+  const glm::dvec4& light, double radius, const BoxCorners& box);
+
 // Whether any shadow of the caster can lie in the box.
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster);
 

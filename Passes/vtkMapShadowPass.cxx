@@ -64,7 +64,7 @@ bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::
 {
   const int side = this->WithinDriver("Resolution", this->Resolution);
   vtkShadowMapViews& views = *this->Views;
-  views.Fit(frame, lights, side, this->GetMarginTexels());
+  views.Fit(frame, lights, side, this->GetMarginTexels(), this->GetRoles(frame));
   const int layers = std::max(views.NumberOfViews(), 1);
   if (this->ReserveMaps(frame, LayerWidth(side), side, layers))
   {
@@ -93,6 +93,12 @@ bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::
     this->LookupStamp.Modified();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowMapRoles vtkMapShadowPass::GetRoles(const vtkShadowFrame&) const
+{
+  return {};
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@
 #include <memory> // for std::unique_ptr
 
 class vtkShadowMapViews;
+struct vtkShadowMapRoles;
 struct vtkShadowMapSlot;
 struct vtkShadowMapView;
 
@@ -71,6 +72,11 @@ protected:
    * Texels that stay free on each side of a map, so that all that are compared lie in it.
    */
   virtual double GetMarginTexels() const { return 2.0; }
+
+  /**
+   * Who casts and receives, and which maps there are.
+   */
+  virtual vtkShadowMapRoles GetRoles(const vtkShadowFrame& frame) const;
 
   ///@{
   /**

@@ -93,9 +93,64 @@ int TexelsOf(int resolution, double share)
   return std::clamp(static_cast<int>(std::ceil(resolution * share)), 1, resolution);
 }
 
-// Who can cast on any of the receivers.
+std::vector<BoxCorners> CornersOf(const vtkShadowScene::Prop& prop)
+{
+  std::vector<BoxCorners> corners;
+  for (const vtkShadowScene::Piece& piece : prop.Pieces)
+  {
+    corners.push_back(piece.CornersWC);
+  }
+  return corners;
+}
+
+// The bounds of what receives and is not one of `casters`, nor stands one in for it.
+std::vector<BoxCorners> ReceiversBut(const vtkShadowScene& scene,
+  const vtkShadowScene::Light& light, const vtkShadowMapRoles& roles,
+  const std::vector<std::size_t>& casters)
+{
+  const std::unordered_set<const vtkProp*> owners = vtkShadowOwnersOf(scene, casters);
+  std::vector<BoxCorners> receivers;
+  for (const vtkShadowScene::Prop& prop : scene.GetProps())
+  {
+    if (roles.Receives(light, prop) && owners.count(prop.Source) == 0)
+    {
+      const std::vector<BoxCorners> corners = CornersOf(prop);
+      receivers.insert(receivers.end(), corners.begin(), corners.end());
+    }
+  }
+  return receivers;
+}
+
+// Fits the maps that `casters`, of the props `owners`, have in common.
+vtkshadows::LightViews AddViews(vtkShadowMapSlot& slot, const std::vector<BoxCorners>& casters,
+  const std::vector<std::size_t>& owners, const std::vector<BoxCorners>& receivers, double margin,
+  std::size_t caster, vtkMTimeType stamp)
+{
+  vtkshadows::LightViews fitted = vtkshadows::FitLightViews(slot.Light, casters, receivers, margin);
+  for (const vtkshadows::FittedLightView& view : fitted.views)
+  {
+    vtkShadowMapView placed;
+    placed.Caster = caster;
+    placed.Face = view.face;
+    placed.View = view.view;
+    placed.CasterStamp = stamp;
+    for (const std::size_t i : view.casters)
+    {
+      placed.Casters.push_back(owners[i]);
+    }
+    std::vector<std::size_t>& drawn = placed.Casters; // in ascending order
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    slot.Views.push_back(placed);
+  }
+  return fitted;
+}
+
+// Who can cast on any of the receivers. `stampOf(prop)`: of what a prop casts into a map of its
+// own.
+template <typename StampOf>
 vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light& light,
-  const std::vector<BoxCorners>& receivers, double margin)
+  const vtkShadowMapRoles& roles, const std::vector<BoxCorners>& receivers, double margin,
+  const StampOf& stampOf)
 {
   const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
   vtkShadowMapSlot slot;
@@ -103,33 +158,45 @@ vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light
   std::vector<std::size_t> owners; // of the casters, among the props
   for (std::size_t i = 0; i < props.size(); ++i)
   {
+    if (!roles.Casts(light, props[i]))
+    {
+      continue;
+    }
     for (const vtkShadowScene::Piece& piece : props[i].Pieces)
     {
-      if (props[i].Casts && !vtkshadows::CastsOnNothing(piece.PlaneWC, light.Ray, receivers))
+      if (!vtkshadows::CastsOnNothing(piece.PlaneWC, light.Ray, receivers))
       {
         slot.Casters.push_back(piece.CornersWC);
         owners.push_back(i);
       }
     }
   }
+  slot.CasterProps = owners;
+  slot.CasterProps.erase(
+    std::unique(slot.CasterProps.begin(), slot.CasterProps.end()), slot.CasterProps.end());
 
-  const vtkshadows::LightViews fitted =
-    vtkshadows::FitLightViews(light.Ray, slot.Casters, receivers, margin);
-  slot.IsCube = fitted.isCube;
-  slot.CubeFromWorld = fitted.cubeFromWorld;
-  for (const vtkshadows::FittedLightView& view : fitted.views)
+  if (roles.MapPerCaster)
   {
-    vtkShadowMapView placed;
-    placed.Face = view.face;
-    placed.View = view.view;
-    placed.CasterStamp = scene.GetCasterStamp();
-    for (const std::size_t caster : view.casters)
+    for (const std::size_t i : slot.CasterProps)
     {
-      placed.Casters.push_back(owners[caster]);
+      const std::vector<BoxCorners> own = CornersOf(props[i]);
+      AddViews(slot, own, std::vector<std::size_t>(own.size(), i),
+        ReceiversBut(scene, light, roles, { i }), margin, i, stampOf(i));
     }
-    std::vector<std::size_t>& drawn = placed.Casters; // in ascending order
-    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
-    slot.Views.push_back(placed);
+  }
+  else
+  {
+    const vtkshadows::LightViews fitted = AddViews(slot, slot.Casters, owners,
+      roles.SelfShadows ? receivers : ReceiversBut(scene, light, roles, slot.CasterProps), margin,
+      vtkShadowMapView::AllCasters, scene.GetCasterStamp());
+    slot.IsCube = fitted.isCube;
+    slot.CubeFromWorld = fitted.cubeFromWorld;
+  }
+  if (roles.Needs)
+  {
+    slot.Views.erase(std::remove_if(slot.Views.begin(), slot.Views.end(),
+                       [&](const vtkShadowMapView& view) { return !roles.Needs(slot, view); }),
+      slot.Views.end());
   }
   return slot;
 }
@@ -153,20 +220,62 @@ glm::dmat4 vtkShadowMapViews::MapOf(const LightView& view) const
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowMapViews::Fit(
-  const vtkShadowFrame& frame, const std::vector<int>& lights, int resolution, double margin)
+void vtkShadowMapViews::Fit(const vtkShadowFrame& frame, const std::vector<int>& lights,
+  int resolution, double margin, const vtkShadowMapRoles& roles)
 {
   this->Resolution = resolution;
   const vtkShadowScene& scene = *frame.Scene;
-  const std::vector<BoxCorners> receivers = vtkShadowReceiverCorners(scene);
+  if (roles.MapPerCaster)
+  {
+    this->StampCasters(scene);
+  }
+  const auto stampOf = [this](std::size_t prop)
+  { return this->CasterStates[prop].Stamp.GetMTime(); };
   this->SlotsBefore = std::move(this->Slots);
   this->Slots.clear();
-  for (const int light : lights)
+  std::vector<BoxCorners> receivers;
+  for (const int i : lights)
   {
+    const vtkShadowScene::Light& light = scene.GetLights()[i];
+    if (this->Slots.empty() || roles.DifferByLight)
+    {
+      receivers = ReceiversBut(scene, light, roles, {});
+    }
     // A map narrower than its margins is all margin.
     const double share = margin / std::max(static_cast<double>(resolution), 4.0 * margin);
-    this->Slots.push_back(SlotOf(scene, scene.GetLights()[light], receivers, share));
+    this->Slots.push_back(SlotOf(scene, light, roles, receivers, share, stampOf));
   }
+}
+
+//------------------------------------------------------------------------------
+// A prop that has another place among the others is taken for another.
+void vtkShadowMapViews::StampCasters(const vtkShadowScene& scene)
+{
+  const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
+  this->CasterStates.resize(props.size());
+  for (std::size_t i = 0; i < props.size(); ++i)
+  {
+    CasterState now;
+    now.Source = props[i].Source;
+    for (const vtkShadowScene::Piece& piece : props[i].Pieces)
+    {
+      now.Signature.insert(now.Signature.end(), piece.Signature.begin(), piece.Signature.end());
+    }
+    if (now.Source != this->CasterStates[i].Source ||
+      now.Signature != this->CasterStates[i].Signature)
+    {
+      now.Stamp.Modified();
+      this->CasterStates[i] = now;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkShadowMapViews::MapFromView(
+  const vtkShadowMapSlot& slot, const vtkShadowMapView& view, const glm::dmat4& viewFromWorld) const
+{
+  return ::MapFromView(
+    view.View, viewFromWorld, this->WidthOf(view.View), this->HeightOf(view.View), slot.Casters);
 }
 
 //------------------------------------------------------------------------------
@@ -218,13 +327,13 @@ void vtkShadowMapViews::Place(int layers)
   place(
     [&](std::size_t slot, const vtkShadowMapView& view)
     {
-      const int layer = this->LayerBefore(slot, view.Face);
+      const int layer = this->LayerBefore(slot, view);
       return layer != NoLayer && holds(this->Drawn[layer], view) ? layer : NoLayer;
     });
   place([&](std::size_t, const vtkShadowMapView& view)
     { return find([&](const Content& content) { return holds(content, view); }); });
-  place([&](std::size_t slot, const vtkShadowMapView& view)
-    { return this->LayerBefore(slot, view.Face); });
+  place(
+    [&](std::size_t slot, const vtkShadowMapView& view) { return this->LayerBefore(slot, view); });
   place([&](std::size_t, const vtkShadowMapView&)
     { return find([](const Content&) { return true; }); });
 }
@@ -239,13 +348,14 @@ void vtkShadowMapViews::MarkStale(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-int vtkShadowMapViews::LayerBefore(std::size_t slot, int face) const
+int vtkShadowMapViews::LayerBefore(std::size_t slot, const vtkShadowMapView& like) const
 {
   if (slot < this->SlotsBefore.size())
   {
     for (const vtkShadowMapView& view : this->SlotsBefore[slot].Views)
     {
-      if (view.Face == face && view.Layer < static_cast<int>(this->Drawn.size()))
+      if (view.Face == like.Face && view.Caster == like.Caster &&
+        view.Layer < static_cast<int>(this->Drawn.size()))
       {
         return view.Layer;
       }
@@ -292,10 +402,9 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
     }
     else if (!slot.IsCube && !slot.Views.empty())
     {
-      const LightView& view = slot.Views.front().View;
       lookup.Index = slot.Views.front().Layer;
-      matrix = vtkShadowMatrix::ToFloats(
-        MapFromView(view, viewFromWorld, this->WidthOf(view), this->HeightOf(view), slot.Casters));
+      matrix =
+        vtkShadowMatrix::ToFloats(this->MapFromView(slot, slot.Views.front(), viewFromWorld));
     }
     lookups.push_back(lookup);
     this->Matrices.push_back(matrix);

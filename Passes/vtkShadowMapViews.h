@@ -5,10 +5,14 @@
 
 #include "vtkShadowSceneData.h"
 
+#include "vtkTimeStamp.h"
+
 #include <glm/mat4x4.hpp>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,10 +21,12 @@
 struct vtkShadowMapView
 {
   static constexpr int NoLayer = -1;
+  static constexpr std::size_t AllCasters = static_cast<std::size_t>(-1);
 
   vtkshadows::LightView View;
   vtkMTimeType CasterStamp = 0;
   std::vector<std::size_t> Casters; // among the scene's props, ascending
+  std::size_t Caster = AllCasters;  // whose own map this is, among the scene's props
   int Face = vtkshadows::NoFace;    // of a cube
   int Layer = NoLayer;
 
@@ -39,7 +45,24 @@ struct vtkShadowMapSlot
   bool IsCube = false;
   glm::dmat4 CubeFromWorld{ 1.0 };
   std::vector<vtkshadows::BoxCorners> Casters; // that can cast on a receiver
+  std::vector<std::size_t> CasterProps;        // whose they are, among the scene's props, ascending
   std::vector<vtkShadowMapView> Views;
+};
+
+// Who casts into the maps of a light and who is looked up in them, and which maps it has.
+struct vtkShadowMapRoles
+{
+  using Says = std::function<bool(const vtkShadowScene::Light&, const vtkShadowScene::Prop&)>;
+
+  Says Casts = [](const vtkShadowScene::Light&, const vtkShadowScene::Prop& prop)
+  { return prop.Casts; };
+  Says Receives = [](const vtkShadowScene::Light&, const vtkShadowScene::Prop& prop)
+  { return prop.Receives; };
+  bool DifferByLight = false;
+  bool SelfShadows = true;   // what casts into a map is looked up in it, too
+  bool MapPerCaster = false; // each prop that casts has maps of its own, fitted to it
+  // Whether this frame needs a map; none: it needs all.
+  std::function<bool(const vtkShadowMapSlot&, const vtkShadowMapView&)> Needs;
 };
 
 class vtkShadowMapViews
@@ -54,8 +77,8 @@ public:
 
   // Fits the views of `lights`, for maps of `resolution` texels on the longer side of which
   // `margin` stay free on every side.
-  void Fit(
-    const vtkShadowFrame& frame, const std::vector<int>& lights, int resolution, double margin);
+  void Fit(const vtkShadowFrame& frame, const std::vector<int>& lights, int resolution,
+    double margin, const vtkShadowMapRoles& roles = {});
   int NumberOfViews() const;
 
   // Gives each view one of `layers` layers: one that holds its map already, if there is.
@@ -95,6 +118,11 @@ public:
 
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 
+  // From the eye's view coordinates to the texels of a map, and depth there less the bound of its
+  // rounding; homogeneous.
+  glm::dmat4 MapFromView(const vtkShadowMapSlot& slot, const vtkShadowMapView& view,
+    const glm::dmat4& viewFromWorld) const;
+
   // Texels of a view's map. They are square: its shorter side has fewer.
   int WidthOf(const vtkshadows::LightView& view) const;
   int HeightOf(const vtkshadows::LightView& view) const;
@@ -106,6 +134,13 @@ private:
   {
     bool Known = false;
     vtkShadowMapView Of;
+  };
+  // What a prop casts, and a stamp that grows with it.
+  struct CasterState
+  {
+    const vtkProp* Source = nullptr;
+    std::vector<std::uint64_t> Signature;
+    vtkTimeStamp Stamp;
   };
   // What a shader is written with for a slot.
   struct Lookup
@@ -119,12 +154,14 @@ private:
     }
   };
 
-  int LayerBefore(std::size_t slot, int face) const;
+  int LayerBefore(std::size_t slot, const vtkShadowMapView& like) const;
+  void StampCasters(const vtkShadowScene& scene);
 
   int Resolution = 0;
   std::vector<vtkShadowMapSlot> Slots;
   std::vector<vtkShadowMapSlot> SlotsBefore; // as they were placed in the frame before
   std::vector<Content> Drawn;                // one a layer
+  std::vector<CasterState> CasterStates;     // one a prop, for maps of its own
   std::vector<Lookup> Lookups;               // one a slot
   std::vector<ShaderMatrix> Matrices;
   std::vector<FaceParameters> CubeFaces;

@@ -7,6 +7,7 @@
 #include "vtkShadowMeasured.h"
 #include "vtkShadowReceiverBuffer.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowTexturePass.h"
 #include "vtkShadowedShadingPass.h"
 #include "vtkStencilShadowVolumePass.h"
 #ifdef VTKSHADOWS_WITH_EMBREE
@@ -441,6 +442,7 @@ vtkShadowPass::vtkShadowPass()
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkDepthShadowMapPass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkObjectIDShadowPass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkPlanarShadowPass::New()));
+  this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkShadowTexturePass::New()));
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkStencilShadowVolumePass::New()));
 #ifdef VTKSHADOWS_WITH_EMBREE
   this->Internal->Owned.push_back(vtk::TakeSmartPointer(vtkRayCastShadowPass::New()));
@@ -744,6 +746,12 @@ vtkObjectIDShadowPass* vtkShadowPass::GetObjectIDShadowPass()
 vtkPlanarShadowPass* vtkShadowPass::GetPlanarShadowPass()
 {
   return vtkPlanarShadowPass::SafeDownCast(this->Internal->Find("planar"));
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTexturePass* vtkShadowPass::GetShadowTexturePass()
+{
+  return vtkShadowTexturePass::SafeDownCast(this->Internal->Find("shadow-texture"));
 }
 
 //------------------------------------------------------------------------------

@@ -23,8 +23,9 @@
  * RECEIVES_SHADOWS 0: always lit.
  * A third, CASTER_STAND_IN (SetStandIn), has another mesh cast in a prop's place.
  * Volumes and annotations (axes, text, 2D props) neither cast nor receive. A translucent prop
- * receives from techniques of the lookup form (depth-map, object-id) and is lit by those of the
- * mask form (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows nothing but
+ * receives from techniques of the lookup form (depth-map, object-id, shadow-texture) and is lit
+ * by those of the mask form (stencil-volume, ray-cast). A shadow catcher (SetShadowCatcher) shows
+ * nothing but
  * shadow.
  *
  * **Lights.** Directional, positional, spot; scene lights and camera lights; light transforms,
@@ -41,7 +42,7 @@
  * Appel, A.: Some techniques for shading machine renderings of solids, AFIPS 1968 (ray cast).
  *
  * @sa vtkShadowTechniquePass vtkDepthShadowMapPass vtkObjectIDShadowPass vtkPlanarShadowPass
- *     vtkStencilShadowVolumePass vtkRayCastShadowPass
+ *     vtkShadowTexturePass vtkStencilShadowVolumePass vtkRayCastShadowPass
  * vtkShadowErrorMeasure
  */
 #ifndef vtkShadowPass_h
@@ -67,6 +68,7 @@ class vtkRayCastShadowPass;
 class vtkRenderer;
 class vtkShadowScene;
 class vtkShadowTechniquePass;
+class vtkShadowTexturePass;
 class vtkPlanarShadowPass;
 class vtkStencilShadowVolumePass;
 struct vtkShadowFrame;
@@ -85,8 +87,8 @@ public:
   ///@{
   /**
    * Technique of every light that has none of its own: "depth-map" (default), "object-id",
-   * "planar", "stencil-volume", "ray-cast" or "none" (every light lit). An unknown name is an error
-   * that lists the known ones, and changes nothing.
+   * "planar", "shadow-texture", "stencil-volume", "ray-cast" or "none" (every light lit). An
+   * unknown name is an error that lists the known ones, and changes nothing.
    */
   bool SetTechnique(const std::string& name);
   std::string GetTechnique() const;
@@ -112,9 +114,8 @@ public:
   ///@{
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
-   * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" and
-   * "stencil-volume" soften by it; "depth-map" and "object-id" cast hard shadows whatever the
-   * radius.
+   * for a directional light the tangent of its half-angle (the sun: 0.00465). "depth-map" and
+   * "object-id" cast hard shadows whatever the radius; the others soften by it.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;
@@ -150,6 +151,7 @@ public:
   vtkDepthShadowMapPass* GetDepthShadowMapPass();
   vtkObjectIDShadowPass* GetObjectIDShadowPass();
   vtkPlanarShadowPass* GetPlanarShadowPass();
+  vtkShadowTexturePass* GetShadowTexturePass();
   vtkStencilShadowVolumePass* GetStencilShadowVolumePass();
   vtkRayCastShadowPass* GetRayCastShadowPass();
   vtkShadowTechniquePass* GetTechniquePass(const std::string& name);

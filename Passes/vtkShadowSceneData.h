@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <unordered_set>
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLRenderer;
@@ -79,6 +80,19 @@ std::vector<vtkshadows::BoxCorners> vtkShadowCornersOf(
     }
   }
   return corners;
+}
+
+// The props at `casters`, and those that they stand in for.
+inline std::unordered_set<const vtkProp*> vtkShadowOwnersOf(
+  const vtkShadowScene& scene, const std::vector<std::size_t>& casters)
+{
+  std::unordered_set<const vtkProp*> owners;
+  for (const std::size_t i : casters)
+  {
+    owners.insert(scene.GetProps()[i].Source);
+    owners.insert(scene.GetProps()[i].StandsInFor);
+  }
+  return owners;
 }
 
 inline std::vector<vtkshadows::BoxCorners> vtkShadowReceiverCorners(const vtkShadowScene& scene)

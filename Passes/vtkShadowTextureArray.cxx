@@ -31,6 +31,8 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
       return { GL_RG32F, GL_RG, GL_FLOAT };
     case vtkShadowTextureArray::Format::R32UI:
       return { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT };
+    case vtkShadowTextureArray::Format::RG16:
+      return { GL_RG16, GL_RG, GL_UNSIGNED_SHORT };
     case vtkShadowTextureArray::Format::RGBA32F:
       return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
     default:
@@ -156,6 +158,15 @@ void vtkShadowTextureArray::Smooth()
   const ScopedBinding bound(this->Texture);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::MakeLevels(int levels)
+{
+  const ScopedBinding bound(this->Texture);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ public:
     R32F,
     RG32F,
     R32UI, // sampled as integers
+    RG16,  // 0..65535 read as 0..1
     R8     // 0..255 read as 0..1
   };
 
@@ -43,6 +44,10 @@ public:
 
   // Blend neighbouring texels when it is sampled.
   void Smooth();
+
+  // Make `levels` smaller copies of every layer, each half the size of the one before, and blend
+  // between them when it is sampled at a level.
+  void MakeLevels(int levels);
 
   // Bind to a texture unit of the window's own, and give the unit back.
   void Activate();

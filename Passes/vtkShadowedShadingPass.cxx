@@ -657,9 +657,7 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
     // Impostors keep their own discards.
     vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::System::Dec", "//VTK::System::Dec\n// shadow casters\n", false);
-    std::string output = this->CurrentStage == COVERAGE
-      ? "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n"
-      : "  gl_FragData[0] = vec4(1.0);\n";
+    std::string output = "  gl_FragData[0] = vec4(1.0, gl_FragCoord.z, 1.0, 1.0);\n";
     if ((this->CurrentStage == CASTERS || this->CurrentStage == TEXELS) &&
       this->Dithered.count(prop) != 0)
     {

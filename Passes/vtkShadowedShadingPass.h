@@ -60,7 +60,7 @@ public:
   enum Stage
   {
     SHADE,     // the frame
-    CASTERS,   // depth from a light
+    CASTERS,   // depth from a light, and as a colour (1, depth)
     TEXELS,    // the same, and what a technique has its casters write
     DEPTHS,    // depth from the eye
     COVERAGE,  // what the frame shows in front, and as a colour (1, its surface's depth)
@@ -93,7 +93,8 @@ public:
   // Draw casters (indices into the scene's props) from a light's view, or receivers from the eye's,
   // into the bound framebuffer. Camera and stage are as before afterwards. `culled`: the faces,
   // GL_FRONT or GL_BACK, that need not be drawn of a part. Of casters the depth is written, or
-  // their colour, white, alone; with `writer` the depth, and what that technique has them write.
+  // their colour alone: (1, depth); with `writer` the depth, and what that technique has them
+  // write.
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled,
     bool writesDepth = true, vtkShadowTechniquePass* writer = nullptr);

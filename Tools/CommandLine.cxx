@@ -66,8 +66,8 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     ->type_name("SPEC")
     ->capture_default_str();
   app
-    .add_option(
-      "--resolution", raw.resolution, "texels on the longer side of a depth or object-ID map")
+    .add_option("--resolution", raw.resolution,
+      "texels on the longer side of a depth or object-ID map, or of a shadow texture")
     ->type_name("N");
   app
     .add_option("--light-samples", raw.lightSamples,

@@ -17,6 +17,7 @@
 #include <vtkRenderer.h>
 #include <vtkShadowFloor.h>
 #include <vtkShadowPass.h>
+#include <vtkShadowTexturePass.h>
 #include <vtkStencilShadowVolumePass.h>
 
 namespace vtkshadows
@@ -95,6 +96,7 @@ void Stage::SetMapResolution(std::optional<int> resolution)
   }
   this->shadows->GetDepthShadowMapPass()->SetResolution(*resolution);
   this->shadows->GetObjectIDShadowPass()->SetResolution(*resolution);
+  this->shadows->GetShadowTexturePass()->SetResolution(*resolution);
 }
 
 void Stage::SetLightSamples(std::optional<int> samples)

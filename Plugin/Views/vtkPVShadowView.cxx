@@ -5,6 +5,7 @@
 #include "vtkObjectIDShadowPass.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkShadowPass.h"
+#include "vtkShadowTexturePass.h"
 
 vtkStandardNewMacro(vtkPVShadowView);
 
@@ -31,6 +32,7 @@ void vtkPVShadowView::SetResolution(int resolution)
 {
   this->Shadows->GetDepthShadowMapPass()->SetResolution(resolution);
   this->Shadows->GetObjectIDShadowPass()->SetResolution(resolution);
+  this->Shadows->GetShadowTexturePass()->SetResolution(resolution);
   this->Modified();
 }
 

@@ -27,13 +27,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Technique of every light: "depth-map" (default), "object-id", "planar", "stencil-volume",
-   * "ray-cast" or "none". An unknown name is an error and changes nothing.
+   * Technique of every light: "depth-map" (default), "object-id", "planar", "shadow-texture",
+   * "stencil-volume", "ray-cast" or "none". An unknown name is an error and changes nothing.
    */
   void SetTechnique(const char* name);
 
   /**
-   * Width and height of each depth map in texels, 1 or more (default 2048).
+   * Texels on the longer side of each depth map or shadow texture, 1 or more (default 2048).
    */
   void SetResolution(int resolution);
 

@@ -68,6 +68,7 @@ from .vtkShadowsPasses import (
     vtkShadowFloor,
     vtkShadowMatte,
     vtkShadowPass,
+    vtkShadowTexturePass,
     vtkStencilShadowVolumePass,
 )
 
@@ -93,6 +94,7 @@ __all__ = [
     "vtkShadowMatte",
     "vtkShadowPass",
     "vtkShadowSilhouetteFilter",
+    "vtkShadowTexturePass",
     "vtkShadowVolumeFilter",
     "vtkStencilShadowVolumePass",
 ]
@@ -102,7 +104,7 @@ def techniques() -> List[str]:
     """Names of the techniques there are in this build, "none" included.
 
     >>> vtkshadows.techniques()
-    ['depth-map', 'object-id', 'planar', 'stencil-volume', 'ray-cast', 'none']
+    ['depth-map', 'object-id', 'planar', 'shadow-texture', 'stencil-volume', 'ray-cast', 'none']
     """
     return _names_from(vtkShadowPass.GetTechniqueNames)
 
@@ -124,7 +126,8 @@ def enable(
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
         of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
         size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
-    resolution : depth-map and object-id: texels on the longer side of each map, 1 or more (2048).
+    resolution : depth-map, object-id and shadow-texture: texels on the longer side of each map, 1 or more
+        (2048).
     object_type : object-id: what has an ID of its own: "prop" (default), "block" (of composite data sets,
         too), "instance" (of glyphs, too) or "piece" (connected pieces of meshes, too).
     object_depth : object-id: keep a depth beside each ID (True). False: no object shadows itself.
@@ -147,10 +150,15 @@ def enable(
     texture_resolution : planar: texels on the longer side of such a texture, 1 or more (2048).
     soft_method : planar: how a light with a radius is made soft: "sample-lights" (default),
         "offset-planes" or "plateaus"; see vtkPlanarShadowPass::SoftMethodType.
+    texture_per_caster : shadow-texture: a texture for each prop that casts instead of one for all of a
+        light: then casters take the shadows of others, and only those that changed are drawn again (False).
+    near_plane : shadow-texture: what lies before a plane this far before the light, world units, casts and
+        takes no shadow, and the rest receives and casts none; 0 (default): casters are told by
+        `set_casts_shadows` alone. See vtkShadowTexturePass::SetNearPlane.
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
-    radius : 0 or more (0): size of every light that the renderer has now. planar, stencil-volume and
-        ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
+    radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
+        stencil-volume and ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
     debug_view : "none" (default), "volumes", "silhouette" or "counts": drawn over the frame, it explains
         the first light that casts, whose technique must be stencil-volume; another light by
         `shadows.SetDebugLight(light)`. Colours: see vtkShadowPass::SetDebugView.
@@ -676,6 +684,7 @@ def _ray_cast(shadows: vtkShadowPass) -> Any:
 def _set_resolution(shadows, renderer, value):
     shadows.GetDepthShadowMapPass().SetResolution(value)
     shadows.GetObjectIDShadowPass().SetResolution(value)
+    shadows.GetShadowTexturePass().SetResolution(value)
 
 
 _OBJECT_TYPES = {
@@ -766,6 +775,17 @@ def _set_texture_resolution(shadows, renderer, value):
     shadows.GetPlanarShadowPass().SetTextureResolution(value)
 
 
+def _set_texture_per_caster(shadows, renderer, value):
+    shadows.GetShadowTexturePass().SetTexturePerCaster(value)
+
+
+def _set_near_plane(shadows, renderer, value):
+    textures = shadows.GetShadowTexturePass()
+    if value > 0:
+        textures.SetNearPlane(value)
+    textures.SetCasterSelection(textures.BY_NEAR_PLANE if value > 0 else textures.BY_FLAG)
+
+
 def _planes(name, value):
     try:
         planes = numpy.array(list(value), dtype=float).reshape(-1, 4)
@@ -830,6 +850,8 @@ _SETTINGS = {
     "texture_resolution": _Setting(
         lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_texture_resolution
     ),
+    "texture_per_caster": _Setting(_flag, _set_texture_per_caster),
+    "near_plane": _Setting(lambda n, v: _number(n, v, 0), _set_near_plane),
     "soft_method": _Setting(lambda n, v: _one_of(n, v, _SOFT_METHODS), _set_soft_method),
     "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
@@ -949,6 +971,7 @@ class _VtkErrors:
                 shadows.GetDepthShadowMapPass(),
                 shadows.GetObjectIDShadowPass(),
                 shadows.GetPlanarShadowPass(),
+                shadows.GetShadowTexturePass(),
                 shadows.GetStencilShadowVolumePass(),
                 shadows.GetRayCastShadowPass(),
                 shadows.GetScene(),

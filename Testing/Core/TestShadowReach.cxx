@@ -407,6 +407,88 @@ TEST(ShadowReach, AShadowPlainlyElsewhereIsNotSeen)
   }
 }
 
+// Of a light with a size, on receivers, whatever the view's depths.
+TEST(ShadowReach, ASoftShadowThatIsSeenMayBeSeen)
+{
+  Lot lot(7);
+  int seen = 0, refused = 0;
+  for (int scene = 0; scene < Scenes; ++scene)
+  {
+    const Solid caster = lot.AnySolid();
+    const glm::dvec4 light = lot.AnyLight();
+    const double radius = lot.Flip() ? 0.0 : lot.Any(0.0, light.w != 0.0 ? 1.0 : 0.3);
+    const Box receivers = BoxOf(lot.AnySolid(5.0).Corners()).Grown(lot.Any(0.0, 5.0));
+    const View view = lot.AnyView();
+    bool isSeen = false;
+    for (int i = 0; i < Samples; ++i)
+    {
+      const glm::dvec4 sample = light + glm::dvec4(lot.Within(radius), 0.0);
+      const glm::dvec3 place = lot.InShadow(caster, sample);
+      const glm::dvec4 clip = view.ClipFromWorld() * glm::dvec4(place, 1.0);
+      isSeen = isSeen ||
+        (clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
+          receivers.Holds(place));
+    }
+    const bool says =
+      SoftShadowMayBeSeen(view.ClipFromWorld(), light, radius, caster.Corners(), receivers);
+    EXPECT_TRUE(says || !isSeen) << "scene " << scene;
+    seen += isSeen ? 1 : 0;
+    refused += says ? 0 : 1;
+  }
+  EXPECT_GT(seen, Scenes / 20);
+  EXPECT_GT(refused, Scenes / 10);
+}
+
+TEST(ShadowReach, ASoftShadowEndsBehindTheReceivers)
+{
+  const Box floor = BoxOf(Upright({ 0, 0, 0 }, { 50, 50, 0 }).Corners());
+  const glm::dvec4 sun(-1, 0, 1, 0); // its shadows go toward +x, down
+  const BoxCorners ball = CornersOf({ 0, 0, 2 }, 0.5);
+  const auto looksAt = [](double x) {
+    return LookFrom({ x, -4, 4 }, { x, 0, 0 }, false).ClipFromWorld();
+  };
+  EXPECT_TRUE(SoftShadowMayBeSeen(looksAt(2.0), sun, 0.0, ball, floor));
+  EXPECT_FALSE(SoftShadowMayBeSeen(looksAt(9.0), sun, 0.0, ball, floor)) << "farther on, below it";
+  EXPECT_TRUE(SoftShadowMayBeSeen(looksAt(9.0), sun, 0.8, ball, floor))
+    << "a wide light's penumbra";
+}
+
+// What a box shadows, or holds, is beyond no side that the light is beyond; and of what it does not
+// shadow, a good part is.
+TEST(ShadowReach, SidesTowardLight)
+{
+  Lot lot(8);
+  int shadowed = 0, beyond = 0, lit = 0;
+  for (int scene = 0; scene < Scenes; ++scene)
+  {
+    Solid caster = lot.AnySolid();
+    if (scene % 4 == 0)
+    {
+      caster.axes[scene / 4 % 3] *= 1.0e-15; // flat
+    }
+    const glm::dvec4 light = lot.AnyLight();
+    const double radius = lot.Flip() ? 0.0 : lot.Any(0.0, light.w != 0.0 ? 1.0 : 0.3);
+    const std::vector<glm::dvec4> sides = SidesTowardLight(light, radius, caster.Corners());
+    EXPECT_LE(sides.size(), 3u);
+    for (int i = 0; i < Samples; ++i)
+    {
+      const glm::dvec4 sample =
+        light + glm::dvec4(radius * lot.Any(0.0, 1.0) * lot.Direction(), 0.0);
+      const glm::dvec3 place = i % 2 == 0 ? lot.InShadow(caster, sample) : lot.Within(6.0);
+      const bool isBeyond = std::any_of(sides.begin(), sides.end(),
+        [&](const glm::dvec4& side)
+        { return glm::dot(glm::dvec3(side), place) > side.w + 1.0e-12; });
+      const bool isShadowed = i % 2 == 0 || IsShadowed(caster, sample, place);
+      EXPECT_FALSE(isBeyond && isShadowed) << "scene " << scene;
+      shadowed += isShadowed ? 1 : 0;
+      beyond += isBeyond ? 1 : 0;
+      lit += isShadowed ? 0 : 1;
+    }
+  }
+  EXPECT_GT(shadowed, 1000);
+  EXPECT_GT(beyond, lit / 3);
+}
+
 TEST(ShadowReach, AShadowOnReceiversMayReachThem)
 {
   Lot lot(6);

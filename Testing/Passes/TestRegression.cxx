@@ -5,6 +5,7 @@
 #include "TestScenes.h"
 
 #include "vtkPlanarShadowPass.h"
+#include "vtkShadowTexturePass.h"
 
 #include <vtkActorCollection.h>
 #include <vtkImageData.h>
@@ -136,6 +137,19 @@ TEST_F(Regression, StillLifeByPlanar)
   this->CheckPicture("StillLifeByPlanarOffsets");
   this->Shadows->GetPlanarShadowPass()->SetSoftMethod(vtkPlanarShadowPass::PLATEAUS);
   this->CheckPicture("StillLifeByPlanarPlateaus");
+}
+
+// Bodies cast, the floor alone receives; then each body receives from the others, too; then soft.
+TEST_F(Regression, StillLifeByShadowTexture)
+{
+  auto spot = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
+  this->AddFillLight();
+  this->Shadows->SetTechnique("shadow-texture");
+  this->CheckPicture("StillLifeByShadowTexture");
+  this->Shadows->GetShadowTexturePass()->TexturePerCasterOn();
+  this->CheckPicture("StillLifeByShadowTextures");
+  this->Shadows->SetLightRadius(spot, 0.4);
+  this->CheckPicture("StillLifeBySoftShadowTextures");
 }
 
 // The views that explain it. The eye stands in the shadow of a box that it does not see: one volume

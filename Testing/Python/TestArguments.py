@@ -37,6 +37,9 @@ class TestArguments(unittest.TestCase):
             ("variant: 1 is not known", dict(variant=1)),
             ("counter: 'abacus' .* automatic, wrapping-stencil, float", dict(counter="abacus")),
             ("smoothing: 'much' is not True or False", dict(smoothing="much")),
+            ("texture_per_caster: 1 is not True or False", dict(texture_per_caster=1)),
+            ("near_plane: -1.0 is out of range; give 0 or more", dict(near_plane=-1)),
+            ("near_plane: nan is out of range", dict(near_plane=math.nan)),
             ("debug_view: 'x-ray' .* none, volumes, silhouette, counts", dict(debug_view="x-ray")),
             ("strength: 1.5 is out of range; give 0 to 1", dict(strength=1.5)),
             ("strength: nan is out of range", dict(strength=math.nan)),
@@ -69,6 +72,13 @@ class TestArguments(unittest.TestCase):
         self.assertTrue(volumes.GetSmoothing())
         vtkshadows.enable(SCENE.renderer, smoothing=False)
         self.assertFalse(volumes.GetSmoothing())
+        textures = shadows.GetShadowTexturePass()
+        self.assertEqual(textures.GetResolution(), 512)
+        vtkshadows.enable(SCENE.renderer, texture_per_caster=True, near_plane=2.5)
+        self.assertTrue(textures.GetTexturePerCaster())
+        self.assertEqual((textures.GetCasterSelection(), textures.GetNearPlane()), (1, 2.5))
+        vtkshadows.enable(SCENE.renderer, near_plane=0)
+        self.assertEqual((textures.GetCasterSelection(), textures.GetNearPlane()), (0, 2.5))
         vtkshadows.enable(SCENE.renderer, light_samples=16)
         self.assertEqual(volumes.GetLightSamples(), 16)
         self.assertEqual(volumes.GetVariant(), 3)  # what is not named stays

@@ -20,8 +20,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     AREA_EXAMPLE,
     PLANAR_EXAMPLE,
     OBJECT_EXAMPLE,
-) = sys.argv[1:9]
-FOLDER = pathlib.Path(sys.argv[9])
+    TEXTURE_EXAMPLE,
+) = sys.argv[1:10]
+FOLDER = pathlib.Path(sys.argv[10])
 
 
 def read_png(path):
@@ -144,6 +145,19 @@ class TestExamples(unittest.TestCase):
         different = int((deep != alone).any(axis=2).sum())
         print(f"pixels that differ: got {different}, expected 1000 or more")
         self.assertGreaterEqual(different, 1000)
+
+    def test_shadow_texture(self):
+        file = FOLDER / "shadow_texture.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, TEXTURE_EXAMPLE, str(file))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Nothing shadows itself", done.stdout)
+        hard = float(re.search(r"hard: ([\d.]+) %", done.stdout)[1])
+        soft = float(re.search(r"soft: ([\d.]+) from", done.stdout)[1])
+        print(f"errors: got {hard} % and {soft}, expected at most 0.05 % and 0.004")
+        self.assertLessEqual(hard, 0.05)
+        self.assertLessEqual(soft, 0.004)
+        self.assertEqual(read_png(file).shape[:2], (480, 640))
 
 
 if __name__ == "__main__":

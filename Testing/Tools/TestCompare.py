@@ -20,7 +20,7 @@ LIGHTS = ["--light", "directional:0.3,0.4,-1", "--light", "spot:1,-3,5:0,0,0:30"
 out = succeed("compare", "plate.off", "-o", "made/folder", "--size", "240x180", "--frames", 3,
               "--json", "too.json", *FLOOR, *LIGHTS)  # fmt: skip
 
-techniques = ["depth-map", "object-id", "planar", "stencil-volume", "ray-cast"]
+techniques = ["depth-map", "object-id", "planar", "shadow-texture", "stencil-volume", "ray-cast"]
 expected = {"unshadowed.png", "comparison.json"}
 for name in techniques:
     expected.add(f"{name}.png")

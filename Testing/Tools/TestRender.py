@@ -29,7 +29,7 @@ SCENE = ["plate.off", *VIEW, "--floor", "0,0,1,0"]
 # A light that travels toward +y: the shadow lies beyond the plate, in the upper half of the picture.
 # It is one unit square, less what the plate hides of it.
 shadow_pixels = (1.5 - 0.5 * EYE / (EYE - 1)) * PIXELS_PER_UNIT**2
-for technique in ("depth-map", "stencil-volume", "ray-cast"):
+for technique in ("depth-map", "shadow-texture", "stencil-volume", "ray-cast"):
     succeed("render", *SCENE, "--light", "directional:0,1,-1", "--technique", technique,
             "-o", f"{technique}.png", "--visibility", f"{technique}-mask.png")  # fmt: skip
     picture, mask = Image(f"{technique}.png"), Image(f"{technique}-mask-0.png")
@@ -126,7 +126,7 @@ check("mask without a floor", Image("alone-mask-0.png").count((255,)), WIDTH * H
 # what is not ambient, 0.72 of white at 1/sqrt(3). It reaches one unit to the left and down.
 write_tetrahedron("tetrahedron.off")
 taken = 0.72 / math.sqrt(3)
-for technique in ("depth-map", "stencil-volume", "ray-cast"):
+for technique in ("depth-map", "shadow-texture", "stencil-volume", "ray-cast"):
     succeed("render", "tetrahedron.off", *VIEW, "--floor", "catcher", "--light", "directional:-1,-1,-1",
             "--technique", technique, "-o", "caught.png", "--visibility", "caught-mask.png")  # fmt: skip
     caught = Image("caught.png")
