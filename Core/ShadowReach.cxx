@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -272,6 +273,65 @@ bool ShadowMayBeSeen(
   const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
   return std::none_of(planes.begin(), planes.end(),
     [&](const glm::dvec4& plane) { return ShadowLiesBehind(plane, light, caster); });
+}
+
+//------------------------------------------------------------------------------
+bool LightMayBeSeen(
+  const glm::dmat4& clipFromWorld, const ShadowLight& light, const std::vector<BoxCorners>& casters)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  const auto sidesEnd = planes.begin() + SidePlanes;
+  if (light.kind == LightKind::Spot)
+  {
+    const double cone = glm::radians(light.coneAngle);
+    for (auto plane = planes.begin(); plane != sidesEnd; ++plane)
+    {
+      // The ray of the cone that turns most toward the plane's inner side does not reach it.
+      const glm::dvec3 normal(*plane);
+      const double toward = glm::dot(glm::normalize(normal), light.direction);
+      const double nearest = std::max(std::acos(glm::clamp(toward, -1.0, 1.0)) - cone, 0.0);
+      if (glm::dot(*plane, glm::dvec4(light.position, 1.0)) < 0.0 && std::cos(nearest) <= 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  const glm::dvec4 place = HomogeneousLight(light);
+  return std::any_of(casters.begin(), casters.end(),
+    [&](const BoxCorners& caster)
+    {
+      return std::none_of(planes.begin(), sidesEnd,
+        [&](const glm::dvec4& plane) { return ShadowLiesBehind(plane, place, caster); });
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec3> SeenCorners(
+  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& boxes)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  std::vector<glm::dvec3> seen;
+  for (const BoxCorners& box : boxes)
+  {
+    ForEachSeenCorner(box, planes, SidePlanes, [&](const glm::dvec3& p) { seen.push_back(p); });
+  }
+  // The sides meet in the eye, which may lie in a box.
+  const glm::dmat4 worldFromClip = glm::inverse(clipFromWorld);
+  const glm::dvec4 eye = worldFromClip[2];
+  if (eye.w != 0.0)
+  {
+    const glm::dvec3 eyeWC = glm::dvec3(eye) / eye.w;
+    Box bounds;
+    for (const BoxCorners& box : boxes)
+    {
+      bounds.Add(box);
+    }
+    if (bounds.Holds(eyeWC))
+    {
+      seen.push_back(eyeWC);
+    }
+  }
+  return seen;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 const vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0,
@@ -33,18 +34,8 @@ glm::dmat4 MapFromClip(int width, int height)
   return glm::scale(glm::translate(glm::dmat4(1.0), half), half);
 }
 
-// What a receiver's depth is less by in a map of `width` texels, over w.
-//
-// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
-// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
-// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
-// eye's view coordinates, which are what floats get.
-//
-// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
-// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
-// that it is a constant here, too.
-double DepthSlack(const glm::dmat4& map, const LightView& view, const glm::dmat4& viewFromWorld,
-  int width, const std::vector<BoxCorners>& castersWC)
+// How far from the origin of a space the casters reach.
+double FarthestIn(const glm::dmat4& spaceFromWorld, const std::vector<BoxCorners>& castersWC)
 {
   double farthest = 0.0;
   for (const BoxCorners& corners : castersWC)
@@ -52,9 +43,25 @@ double DepthSlack(const glm::dmat4& map, const LightView& view, const glm::dmat4
     for (const glm::dvec3& corner : corners)
     {
       farthest =
-        std::max(farthest, glm::length(glm::dvec3(viewFromWorld * glm::dvec4(corner, 1.0))));
+        std::max(farthest, glm::length(glm::dvec3(spaceFromWorld * glm::dvec4(corner, 1.0))));
     }
   }
+  return farthest;
+}
+
+// What a receiver's depth is less by in a map of `width` texels, over w.
+//
+// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
+// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
+// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
+// eye's view coordinates, which are what floats get; `farthest` is how far from the eye a receiver
+// may lie.
+//
+// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
+// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
+// that it is a constant here, too.
+double DepthSlack(const glm::dmat4& map, const LightView& view, int width, double farthest)
+{
   const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
   const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
   const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
@@ -65,11 +72,11 @@ double DepthSlack(const glm::dmat4& map, const LightView& view, const glm::dmat4
 
 // From the eye's view coordinates to a map of width x height texels, all in double.
 glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width,
-  int height, const std::vector<BoxCorners>& castersWC)
+  int height, double farthest)
 {
   glm::dmat4 map = MapFromClip(width, height) * view.clipFromView *
     (view.viewFromWorld * glm::inverse(viewFromWorld));
-  map[3][2] -= DepthSlack(map, view, viewFromWorld, width, castersWC);
+  map[3][2] -= DepthSlack(map, view, width, farthest);
   return map;
 }
 
@@ -78,11 +85,11 @@ constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
 // In a cube of which `unit` is 1.
 FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
-  int side, double unit, const std::vector<BoxCorners>& castersWC)
+  int side, double unit, double farthest)
 {
   const glm::dmat4 map = MapFromClip(side, side) * view.clipFromView;
   const double slack = DepthSlack(
-    map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, viewFromWorld, side, castersWC);
+    map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, side, farthest);
   return { static_cast<float>(-map[2][2]), static_cast<float>((map[3][2] - slack) / unit),
     static_cast<float>(layer), static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
@@ -93,13 +100,30 @@ int TexelsOf(int resolution, double share)
   return std::clamp(static_cast<int>(std::ceil(resolution * share)), 1, resolution);
 }
 
-// Who can cast on any of the receivers.
-vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light& light,
-  const std::vector<BoxCorners>& receivers, double margin)
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowMapViews::WidthOf(const LightView& view) const
 {
+  return TexelsOf(this->FittedTo.Resolution, view.clipFromView[1][1] / view.clipFromView[0][0]);
+}
+
+int vtkShadowMapViews::HeightOf(const LightView& view) const
+{
+  return TexelsOf(this->FittedTo.Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
+}
+
+//------------------------------------------------------------------------------
+// Who can cast on any of the receivers, and from where they are seen.
+vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
+  const vtkShadowScene::Light& light, const std::vector<BoxCorners>& receivers) const
+{
+  const vtkShadowScene& scene = *frame.Scene;
   const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
   vtkShadowMapSlot slot;
   slot.Light = light.Ray;
+  slot.HasCascades =
+    light.Ray.kind == LightKind::Directional && this->FittedTo.Cascades.count > 1;
   std::vector<std::size_t> owners; // of the casters, among the props
   for (std::size_t i = 0; i < props.size(); ++i)
   {
@@ -113,14 +137,41 @@ vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light
     }
   }
 
-  const vtkshadows::LightViews fitted =
-    vtkshadows::FitLightViews(light.Ray, slot.Casters, receivers, margin);
+  const vtkshadows::CascadeEye& eye = this->FittedTo.Eye;
+  slot.IsSkipped = !slot.Casters.empty() &&
+    !vtkshadows::LightMayBeSeen(eye.clipFromView * eye.viewFromWorld, light.Ray, slot.Casters);
+  if (slot.IsSkipped)
+  {
+    return slot;
+  }
+
+  // A map narrower than its margins is all margin.
+  const double margin = this->FittedTo.MarginTexels;
+  const double share =
+    margin / std::max(static_cast<double>(this->FittedTo.Resolution), 4.0 * margin);
+  vtkshadows::LightViews fitted =
+    vtkshadows::FitLightViews(light.Ray, slot.Casters, receivers, share);
   slot.IsCube = fitted.isCube;
   slot.CubeFromWorld = fitted.cubeFromWorld;
-  for (const vtkshadows::FittedLightView& view : fitted.views)
+  if (slot.HasCascades && !fitted.views.empty())
   {
+    this->FitCascades(slot, receivers, fitted.views);
+  }
+  else if (this->FittedTo.ConfineToView && !fitted.isCube && !fitted.views.empty())
+  {
+    vtkshadows::FittedLightView& one = fitted.views.front();
+    if (vtkshadows::ConfineView(one.view, receivers, eye, share))
+    {
+      one.casters = vtkshadows::CastersIn(one.view, slot.Casters);
+    }
+  }
+
+  for (std::size_t i = 0; i < fitted.views.size(); ++i)
+  {
+    const vtkshadows::FittedLightView& view = fitted.views[i];
     vtkShadowMapView placed;
     placed.Face = view.face;
+    placed.Cascade = slot.HasCascades ? static_cast<int>(i) : vtkShadowMapView::NoCascade;
     placed.View = view.view;
     placed.CasterStamp = scene.GetCasterStamp();
     for (const std::size_t caster : view.casters)
@@ -129,38 +180,48 @@ vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light
     }
     std::vector<std::size_t>& drawn = placed.Casters; // in ascending order
     drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
-    slot.Views.push_back(placed);
+    if (!drawn.empty())
+    {
+      slot.Views.push_back(placed);
+    }
   }
   return slot;
 }
 
-}
-
 //------------------------------------------------------------------------------
-int vtkShadowMapViews::WidthOf(const LightView& view) const
+// In place of the one view of a directional light.
+void vtkShadowMapViews::FitCascades(vtkShadowMapSlot& slot,
+  const std::vector<BoxCorners>& receivers, std::vector<vtkshadows::FittedLightView>& views) const
 {
-  return TexelsOf(this->Resolution, view.clipFromView[1][1] / view.clipFromView[0][0]);
-}
-
-int vtkShadowMapViews::HeightOf(const LightView& view) const
-{
-  return TexelsOf(this->Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
+  const vtkShadowMapFit& fit = this->FittedTo;
+  const LightView whole = views.front().view;
+  const auto before = std::find_if(this->SlotsBefore.begin(), this->SlotsBefore.end(),
+    [&whole](const vtkShadowMapSlot& other)
+    { return other.Cascades.lightFromWorld == glm::dmat3(whole.viewFromWorld); });
+  slot.Cascades = vtkshadows::FitLightCascades(slot.Light, whole, slot.Casters, receivers, fit.Eye,
+    fit.Cascades, fit.Resolution, fit.MarginTexels,
+    before != this->SlotsBefore.end() ? &before->Cascades : nullptr);
+  views.clear();
+  for (const vtkshadows::Cascade& cascade : slot.Cascades.cascades)
+  {
+    views.push_back({ cascade.view, vtkshadows::NoFace, cascade.casters });
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMapViews::Fit(
-  const vtkShadowFrame& frame, const std::vector<int>& lights, int resolution, double margin)
+  const vtkShadowFrame& frame, const std::vector<int>& lights, const vtkShadowMapFit& fit)
 {
-  this->Resolution = resolution;
+  this->FittedTo = fit;
   const vtkShadowScene& scene = *frame.Scene;
   const std::vector<BoxCorners> receivers = vtkShadowReceiverCorners(scene);
+  this->CastersInScene = static_cast<int>(std::count_if(scene.GetProps().begin(),
+    scene.GetProps().end(), [](const vtkShadowScene::Prop& prop) { return prop.Casts; }));
   this->SlotsBefore = std::move(this->Slots);
   this->Slots.clear();
   for (const int light : lights)
   {
-    // A map narrower than its margins is all margin.
-    const double share = margin / std::max(static_cast<double>(resolution), 4.0 * margin);
-    this->Slots.push_back(SlotOf(scene, scene.GetLights()[light], receivers, share));
+    this->Slots.push_back(this->SlotOf(frame, scene.GetLights()[light], receivers));
   }
 }
 
@@ -173,6 +234,26 @@ int vtkShadowMapViews::NumberOfViews() const
     views += slot.Views.size();
   }
   return static_cast<int>(views);
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowMapViews::NumberOfSkippedLights() const
+{
+  return static_cast<int>(std::count_if(this->Slots.begin(), this->Slots.end(),
+    [](const vtkShadowMapSlot& slot) { return slot.IsSkipped; }));
+}
+
+int vtkShadowMapViews::NumberOfCastersLeftOut() const
+{
+  int leftOut = 0;
+  for (const vtkShadowMapSlot& slot : this->Slots)
+  {
+    for (const vtkShadowMapView& view : slot.Views)
+    {
+      leftOut += this->CastersInScene - static_cast<int>(view.Casters.size());
+    }
+  }
+  return leftOut;
 }
 
 //------------------------------------------------------------------------------
@@ -213,31 +294,96 @@ void vtkShadowMapViews::Place(int layers)
   place(
     [&](std::size_t slot, const vtkShadowMapView& view)
     {
-      const int layer = this->LayerBefore(slot, view.Face);
+      const int layer = this->LayerBefore(slot, view);
       return layer != NoLayer && holds(this->Drawn[layer], view) ? layer : NoLayer;
     });
   place([&](std::size_t, const vtkShadowMapView& view)
     { return find([&](const Content& content) { return holds(content, view); }); });
   place([&](std::size_t slot, const vtkShadowMapView& view)
-    { return this->LayerBefore(slot, view.Face); });
+    { return this->LayerBefore(slot, view); });
   place([&](std::size_t, const vtkShadowMapView&)
     { return find([](const Content&) { return true; }); });
 }
 
 //------------------------------------------------------------------------------
-int vtkShadowMapViews::LayerBefore(std::size_t slot, int face) const
+int vtkShadowMapViews::LayerBefore(std::size_t slot, const vtkShadowMapView& view) const
 {
   if (slot < this->SlotsBefore.size())
   {
-    for (const vtkShadowMapView& view : this->SlotsBefore[slot].Views)
+    for (const vtkShadowMapView& other : this->SlotsBefore[slot].Views)
     {
-      if (view.Face == face && view.Layer < static_cast<int>(this->Drawn.size()))
+      if (other.Face == view.Face && other.Cascade == view.Cascade &&
+        other.Layer < static_cast<int>(this->Drawn.size()))
       {
-        return view.Layer;
+        return other.Layer;
       }
     }
   }
   return NoLayer;
+}
+
+//------------------------------------------------------------------------------
+// A receiver goes into the light's axes with the eye as the origin, in which distances are what
+// cascades are chosen by, and from there into a map by a factor and an offset an axis.
+vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
+  const vtkShadowMapSlot& slot, const glm::dmat4& viewFromWorld, double farthest)
+{
+  const vtkshadows::LightCascades& light = slot.Cascades;
+  const std::size_t first = this->CascadeRows.size();
+  const std::size_t firstReach = this->CascadeReaches.size();
+  // Nothing casts, and no end.
+  this->CascadeRows.resize(first + 2 * this->FittedTo.Cascades.count, { 0.0f, 0.0f, -1.0f, 0.0f });
+  for (std::size_t i = first + 1; i < this->CascadeRows.size(); i += 2)
+  {
+    this->CascadeRows[i] = { 1.0f, 1.0f, 0.0f, 0.0f };
+  }
+  const float noEnd = std::numeric_limits<float>::max();
+  this->CascadeReaches.resize(firstReach + 2, { noEnd, noEnd, noEnd, noEnd });
+  if (slot.Views.empty())
+  {
+    return LitEverywhere;
+  }
+
+  // Of a size that squares are floats.
+  double unit = light.cascades.front().texel * this->FittedTo.Resolution;
+  for (const vtkshadows::Cascade& cascade : light.cascades)
+  {
+    unit = std::isfinite(cascade.reach) ? std::max(unit, cascade.reach) : unit;
+  }
+  const glm::dmat4 worldFromView = glm::inverse(viewFromWorld);
+  const double betweenEyes =
+    glm::distance(light.eyeWC, glm::dvec3(worldFromView[3]) / worldFromView[3].w);
+  const double viewPerWorld = glm::length(glm::dvec3(viewFromWorld[0]));
+  for (std::size_t i = 0; i + 1 < light.cascades.size(); ++i)
+  {
+    const double reach = light.cascades[i].reach / unit;
+    this->CascadeReaches[firstReach + i / 4][i % 4] = static_cast<float>(reach * reach);
+    this->CascadeRows[first + 2 * i + 1][3] = static_cast<float>(1.0 / (reach * reach));
+  }
+  for (const vtkShadowMapView& placed : slot.Views)
+  {
+    const LightView& view = placed.View;
+    const int width = this->WidthOf(view);
+    const glm::dmat4 map = MapFromClip(width, this->HeightOf(view)) * view.clipFromView;
+    const double reach = (light.cascades[placed.Cascade].reach + betweenEyes) * viewPerWorld;
+    // Twice: there are two steps to it.
+    const double slack = 2.0 *
+      DepthSlack(
+        map * (view.viewFromWorld * worldFromView), view, width, std::min(reach, farthest));
+    const glm::dvec4 origin = map * (view.viewFromWorld * glm::dvec4(light.eyeWC, 1.0));
+    const std::size_t row = first + 2 * placed.Cascade;
+    this->CascadeRows[row] = { static_cast<float>(origin.x), static_cast<float>(origin.y),
+      static_cast<float>(origin.z - slack), static_cast<float>(placed.Layer) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->CascadeRows[row + 1][axis] = static_cast<float>(map[axis][axis] * unit);
+    }
+  }
+  glm::dmat4 fromWorld(light.lightFromWorld);
+  fromWorld[3] = glm::dvec4(-(light.lightFromWorld * light.eyeWC), 1.0);
+  glm::dmat4 axes = fromWorld * worldFromView / unit;
+  axes[3][3] = 0.0; // a direction, and not lit everywhere
+  return vtkShadowMatrix::ToFloats(axes);
 }
 
 //------------------------------------------------------------------------------
@@ -246,31 +392,46 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
   std::vector<Lookup> lookups;
   this->Matrices.clear();
   this->CubeFaces.clear();
-  for (const vtkShadowMapSlot& slot : this->Slots)
+  this->CascadeRows.clear();
+  this->CascadeReaches.clear();
+  for (std::size_t i = 0; i < this->Slots.size(); ++i)
   {
+    const vtkShadowMapSlot& slot = this->Slots[i];
+    const double farthest = FarthestIn(viewFromWorld, slot.Casters);
     Lookup lookup;
     lookup.Function =
       prefix + (slot.Light.kind == LightKind::Directional ? "Parallel" : "Perspective");
     ShaderMatrix matrix = LitEverywhere;
-    if (slot.IsCube && !slot.Views.empty())
+    // One that is skipped keeps the shaders it had.
+    const bool wasCube = i < this->Lookups.size() && this->Lookups[i].Function == prefix + "Cube";
+    if (slot.HasCascades)
+    {
+      lookup.Function = prefix + "Cascades";
+      lookup.Index = static_cast<int>(this->CascadeReaches.size() / 2);
+      matrix = this->AddCascades(slot, viewFromWorld, farthest);
+    }
+    else if (slot.IsSkipped && !wasCube && i < this->Lookups.size())
+    {
+      lookup.Index = this->Lookups[i].Index;
+    }
+    else if (slot.IsSkipped && wasCube)
+    {
+      lookup.Function = prefix + "Cube";
+      lookup.Index = static_cast<int>(this->CubeFaces.size() / 6);
+      this->CubeFaces.resize(this->CubeFaces.size() + 6, LitFace);
+    }
+    else if (slot.IsCube && !slot.Views.empty())
     {
       lookup.Function = prefix + "Cube";
       lookup.Index = static_cast<int>(this->CubeFaces.size() / 6);
       this->CubeFaces.resize(this->CubeFaces.size() + 6, LitFace);
       // Of a size that the squares and cubes of its coordinates are floats.
-      double unit = 0.0;
-      for (const BoxCorners& corners : slot.Casters)
-      {
-        for (const glm::dvec3& corner : corners)
-        {
-          unit =
-            std::max(unit, glm::length(glm::dvec3(slot.CubeFromWorld * glm::dvec4(corner, 1.0))));
-        }
-      }
+      const double unit = FarthestIn(slot.CubeFromWorld, slot.Casters);
       for (const vtkShadowMapView& view : slot.Views)
       {
         this->CubeFaces[6 * lookup.Index + view.Face] =
-          ParametersOf(view.View, viewFromWorld, view.Layer, this->Resolution, unit, slot.Casters);
+          ParametersOf(
+            view.View, viewFromWorld, view.Layer, this->FittedTo.Resolution, unit, farthest);
       }
       glm::dmat4 cube = slot.CubeFromWorld * glm::inverse(viewFromWorld) / unit;
       cube[3][3] = 0.0; // a direction, and not lit everywhere
@@ -281,7 +442,7 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
       const LightView& view = slot.Views.front().View;
       lookup.Index = slot.Views.front().Layer;
       matrix = vtkShadowMatrix::ToFloats(
-        MapFromView(view, viewFromWorld, this->WidthOf(view), this->HeightOf(view), slot.Casters));
+        MapFromView(view, viewFromWorld, this->WidthOf(view), this->HeightOf(view), farthest));
     }
     lookups.push_back(lookup);
     this->Matrices.push_back(matrix);

@@ -3,6 +3,7 @@
 #ifndef vtkShadowMapViews_h
 #define vtkShadowMapViews_h
 
+#include "LightCascades.h"
 #include "vtkShadowSceneData.h"
 
 #include <glm/mat4x4.hpp>
@@ -17,11 +18,13 @@
 struct vtkShadowMapView
 {
   static constexpr int NoLayer = -1;
+  static constexpr int NoCascade = -1;
 
   vtkshadows::LightView View;
   vtkMTimeType CasterStamp = 0;
   std::vector<std::size_t> Casters; // among the scene's props, ascending
   int Face = vtkshadows::NoFace;    // of a cube
+  int Cascade = NoCascade;          // among those of its slot
   int Layer = NoLayer;
 
   bool DrawsAs(const vtkShadowMapView& other) const
@@ -38,25 +41,40 @@ struct vtkShadowMapSlot
   vtkshadows::ShadowLight Light;
   bool IsCube = false;
   glm::dmat4 CubeFromWorld{ 1.0 };
+  // None of its shadows can be seen: it has no views.
+  bool IsSkipped = false;
+  bool HasCascades = false;
+  vtkshadows::LightCascades Cascades;
   std::vector<vtkshadows::BoxCorners> Casters; // that can cast on a receiver
   std::vector<vtkShadowMapView> Views;
+};
+
+// What views are fitted to, beside the scene.
+struct vtkShadowMapFit
+{
+  int Resolution = 1;       // texels on the longer side of a map
+  double MarginTexels = 0;  // that stay free on every side
+  vtkshadows::CascadeSettings Cascades;
+  bool ConfineToView = false;
+  vtkshadows::CascadeEye Eye;
 };
 
 class vtkShadowMapViews
 {
 public:
-  // A matrix, and a face of a cube, as GLSL takes them.
+  // A matrix, a face of a cube, and a part of a cascade, as GLSL takes them.
   using ShaderMatrix = std::array<float, 16>;
   using FaceParameters = std::array<float, 4>;
+  using CascadeParameters = std::array<float, 4>;
 
   // Takes every point nearer to the light than any caster.
   static const ShaderMatrix LitEverywhere;
 
-  // Fits the views of `lights`, for maps of `resolution` texels on the longer side of which
-  // `margin` stay free on every side.
-  void Fit(
-    const vtkShadowFrame& frame, const std::vector<int>& lights, int resolution, double margin);
+  void Fit(const vtkShadowFrame& frame, const std::vector<int>& lights, const vtkShadowMapFit& fit);
   int NumberOfViews() const;
+  int NumberOfSkippedLights() const;
+  // Casters that a view does not draw, summed over the views.
+  int NumberOfCastersLeftOut() const;
 
   // Gives each view one of `layers` layers: one that holds its map already, if there is.
   void Place(int layers);
@@ -89,6 +107,9 @@ public:
   const float* Matrix(int slot) const { return this->Matrices[slot].data(); }
   // Six a cube.
   const std::vector<FaceParameters>& Faces() const { return this->CubeFaces; }
+  // Two a cascade, as many for each cascaded light as there may be; and two a light.
+  const std::vector<CascadeParameters>& Cascades() const { return this->CascadeRows; }
+  const std::vector<CascadeParameters>& Reaches() const { return this->CascadeReaches; }
 
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 
@@ -114,15 +135,24 @@ private:
     }
   };
 
-  int LayerBefore(std::size_t slot, int face) const;
+  vtkShadowMapSlot SlotOf(const vtkShadowFrame& frame, const vtkShadowScene::Light& light,
+    const std::vector<vtkshadows::BoxCorners>& receivers) const;
+  void FitCascades(vtkShadowMapSlot& slot, const std::vector<vtkshadows::BoxCorners>& receivers,
+    std::vector<vtkshadows::FittedLightView>& views) const;
+  int LayerBefore(std::size_t slot, const vtkShadowMapView& view) const;
+  ShaderMatrix AddCascades(
+    const vtkShadowMapSlot& slot, const glm::dmat4& viewFromWorld, double farthest);
 
-  int Resolution = 0;
+  vtkShadowMapFit FittedTo;
+  int CastersInScene = 0;
   std::vector<vtkShadowMapSlot> Slots;
   std::vector<vtkShadowMapSlot> SlotsBefore; // as they were placed in the frame before
   std::vector<Content> Drawn;                // one a layer
   std::vector<Lookup> Lookups;               // one a slot
   std::vector<ShaderMatrix> Matrices;
   std::vector<FaceParameters> CubeFaces;
+  std::vector<CascadeParameters> CascadeRows;
+  std::vector<CascadeParameters> CascadeReaches;
 };
 
 #endif
