@@ -44,7 +44,7 @@ class Heights:
         turn = lot.uniform(0, 2 * math.pi, count)
         self.wave = 2 * math.pi / length * numpy.array([numpy.cos(turn), numpy.sin(turn)])
         self.phase = lot.uniform(0, 2 * math.pi, count)
-        self.height = 0.011 * length * lot.uniform(0.4, 1.0, count)
+        self.height = 0.008 * length * lot.uniform(0.4, 1.0, count)
         self.is_ridge = lot.uniform(0, 1, count) < 0.3
 
     def __call__(self, x, y):
@@ -103,11 +103,11 @@ def cone(sides=8):
 
 
 def copies(ground, lot, count, shape, size, color, nearest, farthest, eye):
-    """`count` of them in one actor, at distances from the eye whose logarithm is by lot."""
+    """`count` of them in one actor, at distances from the eye by lot: the nearer, the denser."""
     points, faces = numpy.array(shape[0], dtype=float), numpy.array(shape[1])
     all_points, all_faces = [], []
     while len(all_points) < count:
-        r = nearest * (farthest / nearest) ** lot.random()
+        r = lot.uniform(nearest, farthest)
         a = lot.uniform(0, 2 * math.pi)
         x, y = eye[0] + r * math.cos(a), eye[1] + r * math.sin(a)
         if max(abs(x), abs(y)) > 0.49 * WIDTH:
@@ -131,9 +131,9 @@ def terrain(seed=1, elevation=15.0, azimuth=35.0, cells=320, things=1.0):
     renderer.SetBackground(0.7, 0.8, 0.95)
     renderer.AddActor(ground.actor())
     kinds = [
-        (1200, (BOX, BOX_FACES), (9, 12, 6), (0.8, 0.6, 0.5), 40, 4000),
+        (1200, (BOX, BOX_FACES), (9, 12, 6), (0.8, 0.6, 0.5), 30, 4000),
         (3000, cone(), (5, 5, 11), (0.3, 0.5, 0.3), 25, 4500),
-        (400, (BOX, BOX_FACES), (0.5, 0.5, 0.6), (0.6, 0.6, 0.6), 5, 120),
+        (400, (BOX, BOX_FACES), (0.5, 0.5, 0.6), (0.6, 0.6, 0.6), 4, 150),
     ]
     for count, shape, size, color, nearest, farthest in kinds:
         count = int(count * things)

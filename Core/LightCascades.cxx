@@ -21,7 +21,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // A cascade is larger than what the eye sees by this share: how far the eye may go or turn before
 // the map is drawn again, against how fine its texels are.
-constexpr double GuardBand = 0.2;
+constexpr double GuardBand = 0.15;
 
 // Texels are worth a map of their own if they are finer by this factor.
 constexpr double WorthwhileGain = 1.5;
@@ -109,20 +109,22 @@ void DistancesFrom(const glm::dvec3& p, const std::vector<BoxCorners>& boxes, do
   }
 }
 
-// Powers of two and of its root: what is made from them stays while the eye moves a little.
-double PowerBelow(double x)
+// Of steps by two and by its root: what is made from them stays while the eye moves a little. No
+// step is a round number, which rounding would put now on this side of it and now on that.
+constexpr double StepOffset = 0.4;
+double StepBelow(double x)
 {
-  return std::exp2(std::floor(std::log2(x)));
+  return std::exp2(std::floor(std::log2(x) - StepOffset) + StepOffset);
 }
-double RootPowerAbove(double x)
+double HalfStepAbove(double x)
 {
-  return std::exp2(0.5 * std::ceil(2.0 * std::log2(x)));
+  return std::exp2(0.5 * std::ceil(2.0 * (std::log2(x) - StepOffset)) + StepOffset);
 }
 
 // To a multiple of 2^-24 of itself or less, so that nearly equal eyes mostly have equal texels.
 double Rounded(double x)
 {
-  const double unit = std::ldexp(PowerBelow(x), -24);
+  const double unit = std::ldexp(StepBelow(x), -24);
   return std::ceil(x / unit) * unit;
 }
 
@@ -130,6 +132,8 @@ Cascade WholeScene(const LightView& whole, std::size_t casters, double texel)
 {
   Cascade cascade;
   cascade.view = whole;
+  // Ground under a low sun is foreshortened along the shorter side.
+  cascade.view.fillsMap = true;
   cascade.texel = texel;
   cascade.casters.resize(casters);
   std::iota(cascade.casters.begin(), cascade.casters.end(), std::size_t(0));
@@ -234,11 +238,11 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   { return 2.0 * (1.0 + GuardBand) * BallOfSlice(from, to, cone.angle).radius / texels; };
   double nearest = 0.0, farthest = 0.0;
   DistancesFrom(cone.tipWC, receivers, nearest, farthest);
-  const double end = RootPowerAbove(farthest);
+  const double end = HalfStepAbove(farthest);
   const double breakEven = wholeTexel / texelOf(0.0, 1.0);
   const bool endsInWhole = breakEven < WorthwhileGain * end;
   const double last = endsInWhole ? std::min(breakEven, end) : end;
-  nearest = std::max(PowerBelow(std::max(nearest, cone.nearest)), 1.0e-9 * last);
+  nearest = std::max(StepBelow(std::max(nearest, cone.nearest)), 1.0e-9 * last);
   if (!(last > 0.0) || !std::isfinite(last) || (endsInWhole && last < WorthwhileGain * nearest))
   {
     return onlyWhole();

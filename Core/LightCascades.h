@@ -31,7 +31,7 @@ struct CascadeSettings
 {
   int count = 1; // at most; 1 to MostCascades
   CascadeScheme scheme = CascadeScheme::Practical;
-  double weight = 0.97; // of the logarithmic scheme in the practical one, 0 to 1
+  double weight = 0.98; // of the logarithmic scheme in the practical one, 0 to 1
   double blend = 0.1;   // share of a cascade's reach over which it blends into the next, 0 to 1
 };
 
@@ -47,7 +47,7 @@ struct Cascade
   LightView view;
   double reach = std::numeric_limits<double>::infinity(); // distance from the eye that it ends at
   bool followsEye = false;                                // else it is the view of all casters
-  double texel = 0.0;                                     // side, world units
+  double texel = 0.0;                                     // its longer side, world units
   glm::dvec3 centre{ 0.0 };         // what it stands around, in texels along the light's axes
   std::vector<std::size_t> casters; // those that lie in it, by their place in the list
 };

@@ -24,6 +24,8 @@ struct LightView
   glm::dmat4 viewFromWorld{ 1.0 }; // rigid; the light looks along -z
   glm::dmat4 clipFromView{ 1.0 };  // OpenGL clip space, z in -w..w
   bool parallel = true;            // directional
+  // Its map has as many texels on its shorter side as on its longer one; else texels are square.
+  bool fillsMap = false;
 };
 
 // The rigid view from `eyeWC` along the unit vector `forward`, turned about it in a fixed way.

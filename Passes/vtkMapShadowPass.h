@@ -78,7 +78,7 @@ public:
    * How cascades split the distances between the camera's near plane (or the nearest receiver's
    * bounds) and where they end: one of CascadeSchemeType (default PRACTICAL), or its name
    * ("practical", "logarithmic", "uniform"); and the share of LOGARITHMIC in PRACTICAL, 0 to 1
-   * (default 0.97). Else an error, and nothing changes.
+   * (default 0.98). Else an error, and nothing changes.
    */
   void SetCascadeScheme(int scheme);
   void SetCascadeScheme(const std::string& name);
@@ -191,7 +191,7 @@ protected:
   int Resolution = 2048;
   int NumberOfCascades = 1;
   int CascadeScheme = PRACTICAL;
-  double CascadeWeight = 0.97;
+  double CascadeWeight = 0.98;
   double CascadeBlend = 0.1;
   bool ConfineToView = false;
   vtkIdType NumberOfMapBuilds = 0;

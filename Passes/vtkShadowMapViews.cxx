@@ -66,8 +66,12 @@ double DepthSlack(const glm::dmat4& map, const LightView& view, int width, doubl
   const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
   const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
   const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
+  // A map that is filled has as many texels on its other side.
+  const double perSide = view.fillsMap
+    ? std::min(view.clipFromView[0][0], view.clipFromView[1][1])
+    : view.clipFromView[0][0];
   return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
-    RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
+    RiseTexels * std::abs(step) / (perSide * width);
 }
 
 // From the eye's view coordinates to a map of width x height texels, all in double.
@@ -105,12 +109,16 @@ int TexelsOf(int resolution, double share)
 //------------------------------------------------------------------------------
 int vtkShadowMapViews::WidthOf(const LightView& view) const
 {
-  return TexelsOf(this->FittedTo.Resolution, view.clipFromView[1][1] / view.clipFromView[0][0]);
+  return view.fillsMap
+    ? this->FittedTo.Resolution
+    : TexelsOf(this->FittedTo.Resolution, view.clipFromView[1][1] / view.clipFromView[0][0]);
 }
 
 int vtkShadowMapViews::HeightOf(const LightView& view) const
 {
-  return TexelsOf(this->FittedTo.Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
+  return view.fillsMap
+    ? this->FittedTo.Resolution
+    : TexelsOf(this->FittedTo.Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
 }
 
 //------------------------------------------------------------------------------
