@@ -53,7 +53,8 @@ LightBounds BoundsIn(const glm::dmat3& lightFromWorld, const BoxCorners& corners
   return bounds;
 }
 
-// The eye's place, the axis of the narrowest cone about what it sees, and half of that cone's angle.
+// The eye's place, the axis of the narrowest cone about what it sees, and half of that cone's
+// angle.
 struct Cone
 {
   glm::dvec3 tipWC{ 0.0 };
@@ -78,22 +79,20 @@ Cone ConeOf(const CascadeEye& eye)
     rays[i] = glm::normalize(glm::dmat3(worldFromView) * cornerVC);
     sum += rays[i];
     const glm::dvec3 axisPointVC(0.0, 0.0, cornerVC.z);
-    cone.nearest =
-      std::min(cone.nearest, glm::length(glm::dmat3(worldFromView) * axisPointVC));
+    cone.nearest = std::min(cone.nearest, glm::length(glm::dmat3(worldFromView) * axisPointVC));
   }
   cone.axisWC = glm::normalize(sum);
   for (const glm::dvec3& ray : rays)
   {
-    cone.angle =
-      std::max(cone.angle, std::acos(glm::clamp(glm::dot(ray, cone.axisWC), -1.0, 1.0)));
+    cone.angle = std::max(cone.angle, std::acos(glm::clamp(glm::dot(ray, cone.axisWC), -1.0, 1.0)));
   }
   return cone;
 }
 
 // Of the boxes, of any orientation: the nearest and farthest distance from `p`; of the nearest, a
 // lower bound.
-void DistancesFrom(const glm::dvec3& p, const std::vector<BoxCorners>& boxes, double& nearest,
-  double& farthest)
+void DistancesFrom(
+  const glm::dvec3& p, const std::vector<BoxCorners>& boxes, double& nearest, double& farthest)
 {
   nearest = Infinity;
   farthest = 0.0;
@@ -197,9 +196,8 @@ SliceBall BallOfSlice(double nearest, double farthest, double angle)
   const double cosine = std::cos(angle);
   SliceBall ball;
   ball.centre = std::min(0.5 * (nearest + farthest) / cosine, farthest * cosine);
-  ball.radius = std::sqrt(std::max(farthest * farthest + ball.centre * ball.centre -
-      2.0 * farthest * ball.centre * cosine,
-    0.0));
+  ball.radius = std::sqrt(std::max(
+    farthest * farthest + ball.centre * ball.centre - 2.0 * farthest * ball.centre * cosine, 0.0));
   return ball;
 }
 
@@ -242,7 +240,7 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   const double breakEven = wholeTexel / texelOf(0.0, 1.0);
   const bool endsInWhole = breakEven < WorthwhileGain * end;
   const double last = endsInWhole ? std::min(breakEven, end) : end;
-  nearest = std::max(StepBelow(std::max(nearest, cone.nearest)), 1.0e-9 * last);
+  nearest = std::max({ nearest, cone.nearest, 1.0e-9 * last });
   if (!(last > 0.0) || !std::isfinite(last) || (endsInWhole && last < WorthwhileGain * nearest))
   {
     return onlyWhole();
@@ -260,8 +258,8 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   {
     bounds.push_back(BoundsIn(result.lightFromWorld, caster));
   }
-  const std::vector<double> reaches = CascadeReaches(
-    count, std::min(nearest, last), last, settings.scheme, settings.weight);
+  const std::vector<double> reaches =
+    CascadeReaches(count, std::min(StepBelow(nearest), last), last, settings.scheme, settings.weight);
   const glm::dvec3 tip = result.lightFromWorld * cone.tipWC;
   const glm::dvec3 axis = result.lightFromWorld * cone.axisWC;
   for (int i = 0; i < count; ++i)
@@ -286,8 +284,7 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
     if (kept && kept->followsEye && std::abs(kept->texel / cascade.texel - 1.0) < SameTexel)
     {
       cascade.texel = kept->texel;
-      const glm::dvec3 away =
-        glm::abs(wanted - kept->centre) + ball.radius / cascade.texel;
+      const glm::dvec3 away = glm::abs(wanted - kept->centre) + ball.radius / cascade.texel;
       if (std::max({ away.x, away.y, away.z }) <= 0.5 * texels)
       {
         cascade.centre = kept->centre;
@@ -305,8 +302,7 @@ bool ConfineView(
 {
   const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
   glm::dvec2 low(1.0), high(-1.0);
-  const std::vector<glm::dvec3> seen =
-    SeenCorners(eye.clipFromView * eye.viewFromWorld, receivers);
+  const std::vector<glm::dvec3> seen = SeenCorners(eye.clipFromView * eye.viewFromWorld, receivers);
   for (const glm::dvec3& p : seen)
   {
     const glm::dvec4 clip = clipFromWorld * glm::dvec4(p, 1.0);

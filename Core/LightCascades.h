@@ -1,6 +1,6 @@
-// Cascades of a directional light: several views, each around what the eye sees up to some distance,
-// so that the light's texels are fine where the screen's pixels are (Engel 2006; Zhang, Sun, Xu and
-// Lun 2006). World space and double.
+// Cascades of a directional light: several views, each around what the eye sees up to some
+// distance, so that the light's texels are fine where the screen's pixels are (Engel 2006; Zhang,
+// Sun, Xu and Lun 2006). World space and double.
 //
 // What changes with the eye is kept apart from what shadows depend on. A receiver belongs to a
 // cascade by its distance from the eye, which does not change while the eye turns. A cascade's
@@ -83,10 +83,10 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   const CascadeEye& eye, const CascadeSettings& settings, int resolution, double margin,
   const LightCascades* before);
 
-// The part of `view` that holds what of the receivers lies in the eye's view, its sides on a grid of
-// sixteenths of the view's own, so that it seldom changes while the eye moves. `margin`: share of
-// the longer side that stays free beyond it. false, and `view` as it was, if the eye sees none of
-// them, or so much that texels would not become finer.
+// The part of `view` that holds what of the receivers lies in the eye's view, its sides on a grid
+// of sixteenths of the view's own, so that it seldom changes while the eye moves. `margin`: share
+// of the longer side that stays free beyond it. false, and `view` as it was, if the eye sees none
+// of them, or so much that texels would not become finer.
 bool ConfineView(
   LightView& view, const std::vector<BoxCorners>& receivers, const CascadeEye& eye, double margin);
 

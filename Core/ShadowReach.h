@@ -68,8 +68,8 @@ bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorn
 
 // Whether any of a light's shadows can lie within the four sides of the view, whatever its depths;
 // of a spot, within its cone, too.
-bool LightMayBeSeen(
-  const glm::dmat4& clipFromWorld, const ShadowLight& light, const std::vector<BoxCorners>& casters);
+bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const ShadowLight& light,
+  const std::vector<BoxCorners>& casters);
 
 // The corners of what of the boxes lies within the four sides of the view.
 std::vector<glm::dvec3> SeenCorners(

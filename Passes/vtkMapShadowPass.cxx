@@ -135,8 +135,8 @@ void vtkMapShadowPass::SetCascadeScheme(const std::string& name)
       names += (names.empty() ? "" : ", ") + std::string(known);
     }
     vtkErrorMacro("CascadeScheme \"" << name << "\" is not known: use one of " << names
-                                     << ". It stays \""
-                                     << GetCascadeSchemeName(this->CascadeScheme) << "\".");
+                                     << ". It stays \"" << GetCascadeSchemeName(this->CascadeScheme)
+                                     << "\".");
     return;
   }
   this->SetCascadeScheme(static_cast<int>(found - std::begin(SchemeNames)));

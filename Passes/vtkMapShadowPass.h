@@ -55,12 +55,12 @@ public:
   ///@{
   /**
    * How many views a directional light has at most, 1 to 8 (default 1): each serves what is up to
-   * some distance from the eye, and has texels as fine as that asks for. The last is the one view of
-   * all casters where its texels are fine enough, which then follows no eye. Fewer are made where
-   * more would not make texels finer by a half, so that a small scene has one. Spot and point lights
-   * have none, and a parallel camera has one, confined as by SetConfineToView. While the camera
-   * moves, a map is drawn again only once what it must hold leaves it, and its texels stay where
-   * they were in the world. Another number is an error and changes nothing.
+   * some distance from the eye, and has texels as fine as that asks for. The last is the one view
+   * of all casters where its texels are fine enough, which then follows no eye. Fewer are made
+   * where more would not make texels finer by a half, so that a small scene has one. Spot and point
+   * lights have none, and a parallel camera has one, confined as by SetConfineToView. While the
+   * camera moves, a map is drawn again only once what it must hold leaves it, and its texels stay
+   * where they were in the world. Another number is an error and changes nothing.
    */
   void SetNumberOfCascades(int number);
   vtkGetMacro(NumberOfCascades, int);

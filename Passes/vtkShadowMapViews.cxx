@@ -67,16 +67,15 @@ double DepthSlack(const glm::dmat4& map, const LightView& view, int width, doubl
   const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
   const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
   // A map that is filled has as many texels on its other side.
-  const double perSide = view.fillsMap
-    ? std::min(view.clipFromView[0][0], view.clipFromView[1][1])
-    : view.clipFromView[0][0];
+  const double perSide = view.fillsMap ? std::min(view.clipFromView[0][0], view.clipFromView[1][1])
+                                       : view.clipFromView[0][0];
   return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
     RiseTexels * std::abs(step) / (perSide * width);
 }
 
 // From the eye's view coordinates to a map of width x height texels, all in double.
-glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width,
-  int height, double farthest)
+glm::dmat4 MapFromView(
+  const LightView& view, const glm::dmat4& viewFromWorld, int width, int height, double farthest)
 {
   glm::dmat4 map = MapFromClip(width, height) * view.clipFromView *
     (view.viewFromWorld * glm::inverse(viewFromWorld));
@@ -92,8 +91,8 @@ FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWor
   int side, double unit, double farthest)
 {
   const glm::dmat4 map = MapFromClip(side, side) * view.clipFromView;
-  const double slack = DepthSlack(
-    map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, side, farthest);
+  const double slack =
+    DepthSlack(map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, side, farthest);
   return { static_cast<float>(-map[2][2]), static_cast<float>((map[3][2] - slack) / unit),
     static_cast<float>(layer), static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
@@ -130,8 +129,7 @@ vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
   const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
   vtkShadowMapSlot slot;
   slot.Light = light.Ray;
-  slot.HasCascades =
-    light.Ray.kind == LightKind::Directional && this->FittedTo.Cascades.count > 1;
+  slot.HasCascades = light.Ray.kind == LightKind::Directional && this->FittedTo.Cascades.count > 1;
   std::vector<std::size_t> owners; // of the casters, among the props
   for (std::size_t i = 0; i < props.size(); ++i)
   {
@@ -307,8 +305,8 @@ void vtkShadowMapViews::Place(int layers)
     });
   place([&](std::size_t, const vtkShadowMapView& view)
     { return find([&](const Content& content) { return holds(content, view); }); });
-  place([&](std::size_t slot, const vtkShadowMapView& view)
-    { return this->LayerBefore(slot, view); });
+  place(
+    [&](std::size_t slot, const vtkShadowMapView& view) { return this->LayerBefore(slot, view); });
   place([&](std::size_t, const vtkShadowMapView&)
     { return find([](const Content&) { return true; }); });
 }
@@ -437,9 +435,8 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
       const double unit = FarthestIn(slot.CubeFromWorld, slot.Casters);
       for (const vtkShadowMapView& view : slot.Views)
       {
-        this->CubeFaces[6 * lookup.Index + view.Face] =
-          ParametersOf(
-            view.View, viewFromWorld, view.Layer, this->FittedTo.Resolution, unit, farthest);
+        this->CubeFaces[6 * lookup.Index + view.Face] = ParametersOf(
+          view.View, viewFromWorld, view.Layer, this->FittedTo.Resolution, unit, farthest);
       }
       glm::dmat4 cube = slot.CubeFromWorld * glm::inverse(viewFromWorld) / unit;
       cube[3][3] = 0.0; // a direction, and not lit everywhere

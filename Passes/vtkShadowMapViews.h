@@ -52,8 +52,8 @@ struct vtkShadowMapSlot
 // What views are fitted to, beside the scene.
 struct vtkShadowMapFit
 {
-  int Resolution = 1;       // texels on the longer side of a map
-  double MarginTexels = 0;  // that stay free on every side
+  int Resolution = 1;      // texels on the longer side of a map
+  double MarginTexels = 0; // that stay free on every side
   vtkshadows::CascadeSettings Cascades;
   bool ConfineToView = false;
   vtkshadows::CascadeEye Eye;
