@@ -1,6 +1,7 @@
 #include "vtkMapShadowPass.h"
 
 #include "vtkMapShadowPassLookup.h"
+#include "vtkShadowMapDebugView.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowSceneData.h"
@@ -317,6 +318,17 @@ void vtkMapShadowPass::SetLookupParameters(vtkShaderProgram* program, vtkProp*)
     program->SetUniform4fv((this->GetLookupPrefix() + "CascadeReaches").c_str(),
       static_cast<int>(reaches.size()), reinterpret_cast<const float(*)[4]>(reaches.data()));
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkMapShadowPass::GetDebugViews() const
+{
+  return vtkShadowMapDebugView::Names();
+}
+
+bool vtkMapShadowPass::DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view)
+{
+  return vtkShadowMapDebugView::Draw(view, frame, *this->Views, slot, *this->GetTextures());
 }
 
 //------------------------------------------------------------------------------

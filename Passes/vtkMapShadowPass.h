@@ -181,6 +181,9 @@ protected:
   void SetLookupParameters(vtkShaderProgram* program, vtkProp*) override;
   vtkMTimeType GetReceiverStamp() const override { return this->LookupStamp.GetMTime(); }
 
+  std::vector<std::string> GetDebugViews() const override;
+  bool DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view) override;
+
   const vtkShadowMapViews& GetViews() const { return *this->Views; }
 
   /**

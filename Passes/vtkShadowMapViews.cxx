@@ -73,16 +73,6 @@ double DepthSlack(const glm::dmat4& map, const LightView& view, int width, doubl
     RiseTexels * std::abs(step) / (perSide * width);
 }
 
-// From the eye's view coordinates to a map of width x height texels, all in double.
-glm::dmat4 MapFromView(
-  const LightView& view, const glm::dmat4& viewFromWorld, int width, int height, double farthest)
-{
-  glm::dmat4 map = MapFromClip(width, height) * view.clipFromView *
-    (view.viewFromWorld * glm::inverse(viewFromWorld));
-  map[3][2] -= DepthSlack(map, view, width, farthest);
-  return map;
-}
-
 // A face on which nothing casts: every depth is nearer to the light.
 constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
@@ -118,6 +108,14 @@ int vtkShadowMapViews::HeightOf(const LightView& view) const
   return view.fillsMap
     ? this->FittedTo.Resolution
     : TexelsOf(this->FittedTo.Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkShadowMapViews::MapFromView(
+  const LightView& view, const glm::dmat4& viewFromWorld) const
+{
+  return MapFromClip(this->WidthOf(view), this->HeightOf(view)) * view.clipFromView *
+    (view.viewFromWorld * glm::inverse(viewFromWorld));
 }
 
 //------------------------------------------------------------------------------
@@ -446,8 +444,9 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
     {
       const LightView& view = slot.Views.front().View;
       lookup.Index = slot.Views.front().Layer;
-      matrix = vtkShadowMatrix::ToFloats(
-        MapFromView(view, viewFromWorld, this->WidthOf(view), this->HeightOf(view), farthest));
+      glm::dmat4 map = this->MapFromView(view, viewFromWorld);
+      map[3][2] -= DepthSlack(map, view, this->WidthOf(view), farthest);
+      matrix = vtkShadowMatrix::ToFloats(map);
     }
     lookups.push_back(lookup);
     this->Matrices.push_back(matrix);

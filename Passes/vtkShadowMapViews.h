@@ -113,7 +113,12 @@ public:
 
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 
-  // Texels of a view's map. They are square: its shorter side has fewer.
+  const vtkShadowMapFit& GetFit() const { return this->FittedTo; }
+
+  // From the eye's view coordinates to texels and depth.
+  glm::dmat4 MapFromView(const vtkshadows::LightView& view, const glm::dmat4& viewFromWorld) const;
+
+  // Texels of a view's map. They are square, and its shorter side has fewer, unless it is filled.
   int WidthOf(const vtkshadows::LightView& view) const;
   int HeightOf(const vtkshadows::LightView& view) const;
 

@@ -26,6 +26,8 @@ class TestArguments(unittest.TestCase):
             ("unknown technique None", dict(technique=None)),
             ("unknown setting 'resolutoin'; there are resolution", dict(resolutoin=1)),
             ("resolution: 0 is out of range; give 1", dict(resolution=0)),
+            ("cascades: 0 is out of range; give 1 to 8", dict(cascades=0)),
+            ("cascades: 9 is out of range; give 1 to 8", dict(cascades=9)),
             ("resolution: 1.5 is not a whole number", dict(resolution=1.5)),
             ("light_samples: 5000 .* give 1 to 4096", dict(light_samples=5000)),
             ("epsilon_scale: 0.0 is out of range", dict(epsilon_scale=0)),

@@ -19,8 +19,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     PAGE_EXAMPLE,
     AREA_EXAMPLE,
     PLANAR_EXAMPLE,
-) = sys.argv[1:8]
-FOLDER = pathlib.Path(sys.argv[8])
+    CASCADES_EXAMPLE,
+) = sys.argv[1:9]
+FOLDER = pathlib.Path(sys.argv[9])
 
 
 def read_png(path):
@@ -124,6 +125,20 @@ class TestExamples(unittest.TestCase):
         shares = [100 * float(part.mean()) for part in (texture == 0, texture % 255 > 0, texture == 255)]
         print(f"texture dark, between, lit: got {shares} %, expected 10 and more of each")
         self.assertTrue(min(shares) >= 10)
+
+    def test_cascades(self):
+        files = [FOLDER / "cascades.png", FOLDER / "cascades_explained.png"]
+        for file in files:
+            file.unlink(missing_ok=True)
+        done = run(sys.executable, CASCADES_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        one, four = (float(share) for share in re.findall(r": ([\d.]+) %", done.stdout))
+        print(f"wrong: got {one} and {four} %, expected at most a third of the first")
+        self.assertLess(3 * four, one)
+        plain, explained = map(read_png, files)
+        different = int((plain != explained).any(axis=2).sum())
+        print(f"pixels that differ: got {different}, expected 1000 or more")
+        self.assertGreaterEqual(different, 1000)
 
 
 if __name__ == "__main__":
