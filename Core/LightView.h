@@ -52,6 +52,9 @@ struct LightViewResult
 LightViewResult FitLightView(const ShadowLight& light, const std::vector<BoxCorners>& casters,
   const std::vector<BoxCorners>& receivers, double margin);
 
+// Whether the sphere around all of the casters lies wholly outside a spot's cone.
+bool IsOutsideCone(const ShadowLight& light, const std::vector<BoxCorners>& casters);
+
 // Faces of a cube around a light: 2k looks along its axis k, 2k+1 against it. With p seen from the
 // light in the cube's axes, m = p[k], s = p[k+1] and t = p[k+2] (k+1 and k+2 modulo 3), a face sees
 // p at depth |m|, at the tangents -s/m to the right and t/|m| up.

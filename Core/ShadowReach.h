@@ -66,9 +66,9 @@ bool ShadowMayBeSeen(
 // Whether any shadow of the caster can lie in the box.
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster);
 
-// Whether any of a light's shadows can lie within the four sides of the view, whatever its depths;
-// of a spot, within its cone, too.
-bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const ShadowLight& light,
+// Whether any of a light's shadows can lie within the four sides of the view, whatever its depths,
+// and in the box `seen` of the receivers that lie there; of a spot, within its cone, too.
+bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const Box& seen, const ShadowLight& light,
   const std::vector<BoxCorners>& casters);
 
 // The corners of what of the boxes lies within the four sides of the view.

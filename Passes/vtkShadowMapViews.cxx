@@ -1,6 +1,5 @@
 #include "vtkShadowMapViews.h"
 
-#include "ShadowReach.h"
 #include "vtkShadowMatrix.h"
 
 #include <glm/geometric.hpp>
@@ -143,7 +142,8 @@ vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
 
   const vtkshadows::CascadeEye& eye = this->FittedTo.Eye;
   slot.IsSkipped = !slot.Casters.empty() &&
-    !vtkshadows::LightMayBeSeen(eye.clipFromView * eye.viewFromWorld, light.Ray, slot.Casters);
+    !vtkshadows::LightMayBeSeen(
+      eye.clipFromView * eye.viewFromWorld, this->SeenReceivers, light.Ray, slot.Casters);
   if (slot.IsSkipped)
   {
     return slot;
@@ -219,6 +219,9 @@ void vtkShadowMapViews::Fit(
   this->FittedTo = fit;
   const vtkShadowScene& scene = *frame.Scene;
   const std::vector<BoxCorners> receivers = vtkShadowReceiverCorners(scene);
+  this->SeenReceivers = {};
+  this->SeenReceivers.Add(
+    vtkshadows::SeenCorners(fit.Eye.clipFromView * fit.Eye.viewFromWorld, receivers));
   this->CastersInScene = static_cast<int>(std::count_if(scene.GetProps().begin(),
     scene.GetProps().end(), [](const vtkShadowScene::Prop& prop) { return prop.Casts; }));
   this->SlotsBefore = std::move(this->Slots);

@@ -4,6 +4,7 @@
 #define vtkShadowMapViews_h
 
 #include "LightCascades.h"
+#include "ShadowReach.h"
 #include "vtkShadowSceneData.h"
 
 #include <glm/mat4x4.hpp>
@@ -149,6 +150,7 @@ private:
     const vtkShadowMapSlot& slot, const glm::dmat4& viewFromWorld, double farthest);
 
   vtkShadowMapFit FittedTo;
+  vtkshadows::Box SeenReceivers; // those within the view's sides
   int CastersInScene = 0;
   std::vector<vtkShadowMapSlot> Slots;
   std::vector<vtkShadowMapSlot> SlotsBefore; // as they were placed in the frame before

@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Techniques.h"
 
+#include <algorithm>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDepthShadowMapPass.h>

@@ -359,7 +359,9 @@ TEST(LightCascades, LightsOutOfSight)
   {
     const glm::dmat4 view = glm::lookAt(place, to, glm::dvec3(0, 0, 1));
     const glm::dmat4 clip = glm::perspective(0.5, 1.0, 0.1, 100.0);
-    return LightMayBeSeen(clip * view, light, caster);
+    Box everywhere;
+    everywhere.Add(BoxOf(glm::dvec3(-200.0), glm::dvec3(200.0)));
+    return LightMayBeSeen(clip * view, everywhere, light, caster);
   };
   ShadowLight sun;
   sun.direction = { 0, 0, -1 };
@@ -373,6 +375,11 @@ TEST(LightCascades, LightsOutOfSight)
   spot.coneAngle = 10.0;
   EXPECT_TRUE(seenFrom(spot, { 10, 0, 0 }, { 0, 0, 0 }));
   EXPECT_FALSE(seenFrom(spot, { 10, 0, 15 }, { 0, 0, 17 })); // above the light
+  Box receivers;
+  receivers.Add(BoxOf({ 5, 5, -2 }, { 9, 9, -1 }));
+  EXPECT_FALSE(LightMayBeSeen(glm::perspective(0.5, 1.0, 0.1, 100.0) *
+      glm::lookAt(glm::dvec3(10, 0, 0), glm::dvec3(0), glm::dvec3(0, 0, 1)),
+    receivers, spot, caster)); // no receiver where it falls
   spot.direction = { 0, 0, 1 };
   EXPECT_FALSE(seenFrom(spot, { 10, 0, -3 }, { 0, 0, -3 })); // the cone points away
 }
