@@ -270,9 +270,11 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
     std::to_string(side) + "\n" +
     (cubes > 0 ? define + "_CUBES " + std::to_string(cubes) + "\n" : "") +
     (cascaded > 0 ? define + "_CASCADED_LIGHTS " + std::to_string(cascaded) + "\n" + define +
-          "_CASCADES " + std::to_string(this->NumberOfCascades) + "\n" + define +
-          "_CASCADE_BLEND " + FloatLiteral(this->CascadeBlend) + "\n"
+          "_CASCADES " + std::to_string(this->NumberOfCascades) + "\n"
                   : "") +
+    (cascaded > 0 && this->CascadeBlend > 0.0
+        ? define + "_CASCADE_BLEND " + FloatLiteral(this->CascadeBlend) + "\n"
+        : "") +
     this->GetCompareDeclarations() + projection;
 }
 

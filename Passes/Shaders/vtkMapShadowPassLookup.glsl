@@ -89,32 +89,41 @@ float shadowMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
 // layer; what the position is multiplied by before, and the inverse square of the cascade's reach, 0 if it has
 // no end.
 uniform vec4 shadowMapCascadeRows[2 * SHADOW_MAP_CASCADES * SHADOW_MAP_CASCADED_LIGHTS];
-// Squares of the reaches of a light's cascades, but the last's.
+// Squares of the reaches of a light's cascades, but the last's; infinite, as floats go, where there is none.
 uniform vec4 shadowMapCascadeReaches[2 * SHADOW_MAP_CASCADED_LIGHTS];
 
 // q: in the light's axes, as seen from the eye: its length is the distance that a cascade is chosen by. slope: of
 // the receiver's plane there. Where a cascade ends, over SHADOW_MAP_CASCADE_BLEND of its reach, it blends into
-// the next. A loop, and not two calls, since a software rasteriser goes through both sides of a branch.
+// the next.
 float shadowMapCascades(int light, vec4 q, vec2 slope)
 {
   float square = dot(q.xyz, q.xyz);
   vec4 isBeyond = step(shadowMapCascadeReaches[2 * light], vec4(square));
-#if SHADOW_MAP_CASCADES > 4
+#if SHADOW_MAP_CASCADES > 5
   isBeyond += step(shadowMapCascadeReaches[2 * light + 1], vec4(square));
 #endif
   int row = 2 * (SHADOW_MAP_CASCADES * light + int(dot(isBeyond, vec4(1.0)) + 0.5));
+  vec4 offset = shadowMapCascadeRows[row], scale = shadowMapCascadeRows[row + 1];
+#ifdef SHADOW_MAP_CASCADE_BLEND
   const float start = (1.0 - SHADOW_MAP_CASCADE_BLEND) * (1.0 - SHADOW_MAP_CASCADE_BLEND);
-  float next = start < 1.0
-    ? clamp((square * shadowMapCascadeRows[row + 1].w - start) / (1.0 - start), 0.0, 1.0) : 0.0;
-  float visibility = 0.0;
-  float share = 1.0 - next;
-  int last = next > 0.0 ? row + 2 : row;
-  for (int i = row; i <= last; i += 2)
+  float next = clamp((square * scale.w - start) * (1.0 / (1.0 - start)), 0.0, 1.0);
+#else
+  float next = 0.0;
+#endif
+  // A loop whose end comes after the lookup: a software rasteriser goes through both sides of a branch, and once
+  // through what lies behind a break.
+  float visibility = 0.0, share = 1.0 - next;
+  for (;;)
   {
-    vec4 offset = shadowMapCascadeRows[i];
-    vec3 scale = shadowMapCascadeRows[i + 1].xyz;
-    visibility += share * shadowMapCompare(int(offset.w), q.xyz * scale + offset.xyz, slope * scale.z / scale.xy);
+    visibility += share * shadowMapCompare(int(offset.w), q.xyz * scale.xyz + offset.xyz, slope * scale.z / scale.xy);
+    if (next <= 0.0)
+    {
+      break;
+    }
+    offset = shadowMapCascadeRows[row + 2];
+    scale = shadowMapCascadeRows[row + 3];
     share = next;
+    next = 0.0;
   }
   return q.w > 0.0 ? 1.0 : visibility;
 }
