@@ -32,7 +32,8 @@ struct vtkShadowMapView
   {
     return this->CasterStamp == other.CasterStamp &&
       this->View.viewFromWorld == other.View.viewFromWorld &&
-      this->View.clipFromView == other.View.clipFromView && this->Casters == other.Casters;
+      this->View.clipFromView == other.View.clipFromView &&
+      this->View.fillsMap == other.View.fillsMap && this->Casters == other.Casters;
   }
 };
 

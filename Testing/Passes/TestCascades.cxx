@@ -270,7 +270,15 @@ TEST_F(Cascades, DrawnWhenStale)
   this->Renderer->SetPass(fresh);
   CheckAtMost("pixels unlike a fresh pass's",
     static_cast<double>(CountDifferent(turned, this->Render(), 2)), 20.0);
+  // The map of all casters is filled as a cascade, and not as the one view.
+  fresh->GetDepthShadowMapPass()->SetNumberOfCascades(1);
+  fresh->GetDepthShadowMapPass()->ReleaseGraphicsResources(this->Window);
+  const Frame single = this->Render();
   this->Renderer->SetPass(this->Shadows);
+  this->Maps()->SetNumberOfCascades(1);
+  Check("one map instead: pixels unlike a fresh pass's",
+    static_cast<double>(CountDifferent(single, this->Render())), 0.0);
+  this->Maps()->SetNumberOfCascades(4);
   this->Turn(0.0);
   const Frame before = this->Render();
   ball->SetPosition(0.0, 1.0, 0.0);
