@@ -170,33 +170,40 @@ def shift_lights(renderer, i):
         light.SetPosition(x * (1.001 if i % 2 else 1 / 1.001), y, z)
 
 
-def compare(window, scene, rounds):
-    window.AddRenderer(scene.renderer)
-    passes = {name: prepared(scene.renderer, way) for name, way in scene.ways.items()}
-    static, moving = {name: [] for name in passes}, {name: [] for name in passes}
+def ratios(times):
+    first = next(iter(times.values()))
+    medians = [statistics.median(a / b for a, b in zip(own, first)) for own in times.values()]
+    means = [statistics.mean(own) / statistics.mean(first) for own in times.values()]
+    return medians, means
+
+
+def timed_in_turn(window, scene, passes, rounds, is_moving):
+    """Frame times of every way, by half steps of the camera, of which the second is timed: the first frame of a pass
+    looks shaders up."""
+    times = {name: [] for name in passes}
     for i in range(WARM_UP + rounds):
         for name, way in scene.ways.items():
             show(scene.renderer, way, passes[name])
             scene.move(i)
-            window.Render()  # the first frame of a pass looks shaders up
-            scene.move(i + 0.5)
-            seconds = timed(window)
-            shift_lights(scene.renderer, 0)
             window.Render()
-            shift_lights(scene.renderer, 1)
-            moved = timed(window)
+            scene.move(i + 0.5)
+            if is_moving:
+                shift_lights(scene.renderer, i)
+            seconds = timed(window)
             if i >= WARM_UP:
-                static[name].append(seconds)
-                moving[name].append(moved)
-    first = next(iter(passes))
-    for name in passes:
-        ratios = [
-            [a / b for a, b in zip(times[name], times[first])] for times in (static, moving)
-        ]
-        over_all = statistics.mean(static[name]) / statistics.mean(static[first])
+                times[name].append(seconds)
+    return times
+
+
+def compare(window, scene, rounds):
+    window.AddRenderer(scene.renderer)
+    passes = {name: prepared(scene.renderer, way) for name, way in scene.ways.items()}
+    static = timed_in_turn(window, scene, passes, rounds, False)
+    moving = timed_in_turn(window, scene, passes, rounds, True)
+    for name, still, still_mean, moved in zip(passes, *ratios(static), ratios(moving)[0]):
         print(
             f"| {scene.name} | {name} | {statistics.median(static[name]):.1f} "
-            f"| {statistics.median(ratios[0]):.2f} | {over_all:.2f} | {statistics.median(ratios[1]):.2f} |",
+            f"| {still:.2f} | {still_mean:.2f} | {moved:.2f} |",
             flush=True,
         )
     window.RemoveRenderer(scene.renderer)
