@@ -258,8 +258,8 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   {
     bounds.push_back(BoundsIn(result.lightFromWorld, caster));
   }
-  const std::vector<double> reaches =
-    CascadeReaches(count, std::min(StepBelow(nearest), last), last, settings.scheme, settings.weight);
+  const std::vector<double> reaches = CascadeReaches(
+    count, std::min(StepBelow(nearest), last), last, settings.scheme, settings.weight);
   const glm::dvec3 tip = result.lightFromWorld * cone.tipWC;
   const glm::dvec3 axis = result.lightFromWorld * cone.axisWC;
   for (int i = 0; i < count; ++i)
