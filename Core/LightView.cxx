@@ -318,29 +318,6 @@ glm::dvec3 CentreOf(const std::vector<BoxCorners>& boxes)
   return 0.5 * (low + high);
 }
 
-// Whether the sphere around the casters lies wholly outside the spot's cone.
-bool IsOutsideCone(const ShadowLight& light, const std::vector<BoxCorners>& casters)
-{
-  const glm::dvec3 centre = CentreOf(casters);
-  double radius = 0.0;
-  for (const BoxCorners& corners : casters)
-  {
-    for (const glm::dvec3& corner : corners)
-    {
-      radius = std::max(radius, glm::length(corner - centre));
-    }
-  }
-  const glm::dvec3 toCentre = centre - light.position;
-  const double distance = glm::length(toCentre);
-  if (distance <= radius)
-  {
-    return false;
-  }
-  const double offAxis =
-    std::acos(glm::clamp(glm::dot(toCentre / distance, light.direction), -1.0, 1.0));
-  return offAxis - std::asin(radius / distance) > glm::radians(light.coneAngle);
-}
-
 LightViewResult FitPositional(const ShadowLight& light, const std::vector<BoxCorners>& casters,
   const std::vector<BoxCorners>& receivers, double margin)
 {
@@ -540,6 +517,28 @@ LightViewResult FitLightView(const ShadowLight& light, const std::vector<BoxCorn
   }
   return light.kind == LightKind::Directional ? FitDirectional(light, casters, receivers, margin)
                                               : FitPositional(light, casters, receivers, margin);
+}
+
+bool IsOutsideCone(const ShadowLight& light, const std::vector<BoxCorners>& casters)
+{
+  const glm::dvec3 centre = CentreOf(casters);
+  double radius = 0.0;
+  for (const BoxCorners& corners : casters)
+  {
+    for (const glm::dvec3& corner : corners)
+    {
+      radius = std::max(radius, glm::length(corner - centre));
+    }
+  }
+  const glm::dvec3 toCentre = centre - light.position;
+  const double distance = glm::length(toCentre);
+  if (distance <= radius)
+  {
+    return false;
+  }
+  const double offAxis =
+    std::acos(glm::clamp(glm::dot(toCentre / distance, light.direction), -1.0, 1.0));
+  return offAxis - std::asin(radius / distance) > glm::radians(light.coneAngle);
 }
 
 LightViews FitLightViews(const ShadowLight& light, const std::vector<BoxCorners>& casters,

@@ -24,6 +24,8 @@ struct LightView
   glm::dmat4 viewFromWorld{ 1.0 }; // rigid; the light looks along -z
   glm::dmat4 clipFromView{ 1.0 };  // OpenGL clip space, z in -w..w
   bool parallel = true;            // directional
+  // Its map has as many texels on its shorter side as on its longer one; else texels are square.
+  bool fillsMap = false;
 };
 
 // The rigid view from `eyeWC` along the unit vector `forward`, turned about it in a fixed way.
@@ -49,6 +51,9 @@ struct LightViewResult
 // Precondition: corners are finite.
 LightViewResult FitLightView(const ShadowLight& light, const std::vector<BoxCorners>& casters,
   const std::vector<BoxCorners>& receivers, double margin);
+
+// Whether the sphere around all of the casters lies wholly outside a spot's cone.
+bool IsOutsideCone(const ShadowLight& light, const std::vector<BoxCorners>& casters);
 
 // Faces of a cube around a light: 2k looks along its axis k, 2k+1 against it. With p seen from the
 // light in the cube's axes, m = p[k], s = p[k+1] and t = p[k+2] (k+1 and k+2 modulo 3), a face sees

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -341,6 +342,116 @@ std::vector<glm::dvec4> SidesTowardLight(
     }
   }
   return sides;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+
+// Whether the shadow, up to where no receiver of the box lies farther on, is beside the box or one
+// of the four sides of the view.
+bool EndsBeside(const std::array<glm::dvec4, 6>& viewPlanes, const Box& receivers,
+  const glm::dvec4& light, const BoxCorners& caster)
+{
+  const glm::dvec4 farPlane = FarPlane(light, caster, receivers);
+  if (glm::dvec3(farPlane) == glm::dvec3(0.0))
+  {
+    return false;
+  }
+  std::vector<glm::dvec3> hull(caster.begin(), caster.end());
+  for (const glm::dvec3& corner : caster)
+  {
+    hull.push_back(ImageOnPlane(light, farPlane, corner));
+  }
+  const auto isBehind = [&hull](const glm::dvec4& plane)
+  {
+    return std::all_of(hull.begin(), hull.end(),
+      [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) < 0.0; });
+  };
+  Box bounds;
+  bounds.Add(hull);
+  return std::any_of(viewPlanes.begin(), viewPlanes.begin() + SidePlanes, isBehind) ||
+    glm::any(glm::greaterThan(bounds.minimum, receivers.maximum)) ||
+    glm::any(glm::lessThan(bounds.maximum, receivers.minimum));
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const Box& seen, const ShadowLight& light,
+  const std::vector<BoxCorners>& casters)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  const auto sidesEnd = planes.begin() + SidePlanes;
+  if (light.kind == LightKind::Spot)
+  {
+    const double cone = glm::radians(light.coneAngle);
+    for (auto plane = planes.begin(); plane != sidesEnd; ++plane)
+    {
+      // The ray of the cone that turns most toward the plane's inner side does not reach it.
+      const glm::dvec3 normal(*plane);
+      const double toward = glm::dot(glm::normalize(normal), light.direction);
+      const double nearest = std::max(std::acos(glm::clamp(toward, -1.0, 1.0)) - cone, 0.0);
+      if (glm::dot(*plane, glm::dvec4(light.position, 1.0)) < 0.0 && std::cos(nearest) <= 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  const glm::dvec4 place = HomogeneousLight(light);
+  return std::any_of(casters.begin(), casters.end(),
+    [&](const BoxCorners& caster)
+    {
+      return std::none_of(planes.begin(), sidesEnd,
+               [&](const glm::dvec4& plane) { return ShadowLiesBehind(plane, place, caster); }) &&
+        ShadowMayReach(seen, place, caster) && !EndsBeside(planes, seen, place, caster) &&
+        !(light.kind == LightKind::Spot && IsOutsideCone(light, { caster }));
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec3> SeenCorners(
+  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& boxes)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromWorld);
+  std::vector<glm::dvec3> seen;
+  for (const BoxCorners& box : boxes)
+  {
+    // Nearly all of them lie on one side of each plane.
+    bool isOutside = false, isInside = true;
+    for (std::size_t i = 0; i < SidePlanes; ++i)
+    {
+      const auto behind = std::count_if(box.begin(), box.end(),
+        [&](const glm::dvec3& p) { return glm::dot(planes[i], glm::dvec4(p, 1.0)) < 0.0; });
+      isOutside = isOutside || behind == 8;
+      isInside = isInside && behind == 0;
+    }
+    if (isInside)
+    {
+      seen.insert(seen.end(), box.begin(), box.end());
+    }
+    else if (!isOutside)
+    {
+      ForEachSeenCorner(box, planes, SidePlanes, [&](const glm::dvec3& p) { seen.push_back(p); });
+    }
+  }
+  // The sides meet in the eye, which may lie in a box.
+  const glm::dmat4 worldFromClip = glm::inverse(clipFromWorld);
+  const glm::dvec4 eye = worldFromClip[2];
+  if (eye.w != 0.0)
+  {
+    const glm::dvec3 eyeWC = glm::dvec3(eye) / eye.w;
+    Box bounds;
+    for (const BoxCorners& box : boxes)
+    {
+      bounds.Add(box);
+    }
+    if (bounds.Holds(eyeWC))
+    {
+      seen.push_back(eyeWC);
+    }
+  }
+  return seen;
 }
 
 //------------------------------------------------------------------------------

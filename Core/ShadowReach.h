@@ -78,6 +78,15 @@ std::vector<glm::dvec4> SidesTowardLight(
 // Whether any shadow of the caster can lie in the box.
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster);
 
+// Whether any of a light's shadows can lie within the four sides of the view, whatever its depths,
+// and in the box `seen` of the receivers that lie there; of a spot, within its cone, too.
+bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const Box& seen, const ShadowLight& light,
+  const std::vector<BoxCorners>& casters);
+
+// The corners of what of the boxes lies within the four sides of the view.
+std::vector<glm::dvec3> SeenCorners(
+  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& boxes);
+
 // Whether the eye's near plane, as far as it is seen, can lie in the caster's shadow or cut the
 // caster: then faces of its volume between eye and near plane are missing, if what lies there is
 // clipped (E. Lengyel: The mechanics of robust stencil shadows, Gamasutra 2002).

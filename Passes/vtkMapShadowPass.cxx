@@ -2,13 +2,19 @@
 
 #include "vtkMapShadowPassLookup.h"
 #include "vtkMapShadowPassTexels.h"
+#include "vtkShadowMapDebugView.h"
 #include "vtkShadowMapViews.h"
+#include "vtkShadowMatrix.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTextureArray.h"
 
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 namespace
 {
@@ -20,6 +26,33 @@ constexpr int PaddingTexels = 16;
 int LayerWidth(int resolution)
 {
   return std::min(resolution + PaddingTexels, vtkShadowTextureArray::LargestSide());
+}
+
+// By CascadeSchemeType.
+const char* const SchemeNames[] = { "practical", "logarithmic", "uniform" };
+const int NumberOfSchemes = static_cast<int>(std::size(SchemeNames));
+
+vtkshadows::CascadeEye EyeOf(const vtkShadowFrame& frame, vtkCamera* camera)
+{
+  vtkshadows::CascadeEye eye;
+  eye.viewFromWorld = frame.ViewFromWorld;
+  eye.clipFromView = frame.ClipFromView;
+  if (camera)
+  {
+    eye.viewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
+    eye.clipFromView = vtkShadowMatrix::ToGlm(
+      camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  }
+  return eye;
+}
+
+// As GLSL takes it.
+std::string FloatLiteral(double value)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << std::showpoint << value;
+  return text.str();
 }
 
 std::string Replaced(std::string text, const std::string& name, const std::string& by)
@@ -60,11 +93,134 @@ void vtkMapShadowPass::SetResolution(int resolution)
 }
 
 //------------------------------------------------------------------------------
+void vtkMapShadowPass::SetNumberOfCascades(int number)
+{
+  if (number < 1 || number > vtkshadows::MostCascades)
+  {
+    vtkErrorMacro("NumberOfCascades " << number << " is out of range: give 1 to "
+                                      << vtkshadows::MostCascades << ". It stays "
+                                      << this->NumberOfCascades << ".");
+    return;
+  }
+  if (number != this->NumberOfCascades)
+  {
+    this->NumberOfCascades = number;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMapShadowPass::SetCascadeScheme(int scheme)
+{
+  if (scheme < 0 || scheme >= NumberOfSchemes)
+  {
+    vtkErrorMacro("CascadeScheme "
+      << scheme << " is none of vtkMapShadowPass::CascadeSchemeType (0 to " << NumberOfSchemes - 1
+      << "). It stays " << this->CascadeScheme << ".");
+    return;
+  }
+  if (scheme != this->CascadeScheme)
+  {
+    this->CascadeScheme = scheme;
+    this->Modified();
+  }
+}
+
+void vtkMapShadowPass::SetCascadeScheme(const std::string& name)
+{
+  const auto found = std::find(std::begin(SchemeNames), std::end(SchemeNames), name);
+  if (found == std::end(SchemeNames))
+  {
+    std::string names;
+    for (const char* known : SchemeNames)
+    {
+      names += (names.empty() ? "" : ", ") + std::string(known);
+    }
+    vtkErrorMacro("CascadeScheme \"" << name << "\" is not known: use one of " << names
+                                     << ". It stays \"" << GetCascadeSchemeName(this->CascadeScheme)
+                                     << "\".");
+    return;
+  }
+  this->SetCascadeScheme(static_cast<int>(found - std::begin(SchemeNames)));
+}
+
+std::string vtkMapShadowPass::GetCascadeSchemeName(int scheme)
+{
+  return scheme >= 0 && scheme < NumberOfSchemes ? SchemeNames[scheme] : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkMapShadowPass::SetCascadeWeight(double weight)
+{
+  this->SetShare("CascadeWeight", weight, this->CascadeWeight);
+}
+
+void vtkMapShadowPass::SetCascadeBlend(double blend)
+{
+  this->SetShare("CascadeBlend", blend, this->CascadeBlend);
+}
+
+// Written so that NaN is out of range.
+void vtkMapShadowPass::SetShare(const char* name, double share, double& setting)
+{
+  if (!(share >= 0.0 && share <= 1.0))
+  {
+    vtkErrorMacro(<< name << " " << share << " is out of range: give 0 to 1. It stays " << setting
+                  << ".");
+    return;
+  }
+  if (share != setting)
+  {
+    setting = share;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMapShadowPass::SetFitCamera(vtkCamera* camera)
+{
+  if (camera != this->FitCamera)
+  {
+    this->FitCamera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkMapShadowPass::GetFitCamera() const
+{
+  return this->FitCamera;
+}
+
+//------------------------------------------------------------------------------
+int vtkMapShadowPass::GetNumberOfViews() const
+{
+  return this->Views->NumberOfViews();
+}
+
+int vtkMapShadowPass::GetNumberOfSkippedLights() const
+{
+  return this->Views->NumberOfSkippedLights();
+}
+
+int vtkMapShadowPass::GetNumberOfCastersLeftOut() const
+{
+  return this->Views->NumberOfCastersLeftOut();
+}
+
+//------------------------------------------------------------------------------
 bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights)
 {
   const int side = this->WithinDriver("Resolution", this->Resolution);
   vtkShadowMapViews& views = *this->Views;
-  views.Fit(frame, lights, side, this->GetMarginTexels(), this->GetRoles(frame));
+  vtkShadowMapFit fit;
+  fit.Resolution = side;
+  fit.MarginTexels = this->GetMarginTexels();
+  fit.Cascades = { this->NumberOfCascades,
+    static_cast<vtkshadows::CascadeScheme>(this->CascadeScheme), this->CascadeWeight,
+    this->CascadeBlend };
+  fit.ConfineToView = this->ConfineToView;
+  fit.Eye = EyeOf(frame, this->FitCamera);
+  views.Fit(frame, lights, fit, this->GetRoles(frame));
   const int layers = std::max(views.NumberOfViews(), 1);
   if (this->ReserveMaps(frame, LayerWidth(side), side, layers))
   {
@@ -88,7 +244,7 @@ bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::
       this->DrawMap(frame, slot, view, views.WidthOf(view.View), views.HeightOf(view.View));
       ++this->NumberOfMapBuilds;
     });
-  if (views.UpdateLookups(this->GetLookupPrefix(), frame.ViewFromWorld))
+  if (views.UpdateLookups(this->GetLookupPrefix(), frame.ViewFromWorld, this->GetRiseTexels()))
   {
     this->LookupStamp.Modified();
   }
@@ -117,6 +273,7 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
 {
   const int side = this->WithinDriver("Resolution", this->Resolution);
   const std::size_t cubes = this->Views->Faces().size() / 6;
+  const std::size_t cascaded = this->NumberOfCascadedLights();
   const std::string define = "#define " + this->GetMacroPrefix();
   const auto named = [this](const char* text)
   {
@@ -126,7 +283,18 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
   return define + "_WIDTH " + std::to_string(LayerWidth(side)) + "\n" + define + "_HEIGHT " +
     std::to_string(side) + "\n" +
     (cubes > 0 ? define + "_CUBES " + std::to_string(cubes) + "\n" : "") +
+    (cascaded > 0 ? define + "_CASCADED_LIGHTS " + std::to_string(cascaded) + "\n" + define +
+          "_CASCADES " + std::to_string(this->NumberOfCascades) + "\n"
+                  : "") +
+    (cascaded > 0 && this->CascadeBlend > 0.0
+        ? define + "_CASCADE_BLEND " + FloatLiteral(this->CascadeBlend) + "\n"
+        : "") +
     named(vtkMapShadowPassTexels) + this->GetCompareDeclarations() + named(vtkMapShadowPassLookup);
+}
+
+std::size_t vtkMapShadowPass::NumberOfCascadedLights() const
+{
+  return this->Views->Reaches().size() / 2;
 }
 
 std::string vtkMapShadowPass::GetLookupFunction(int slot, vtkProp*) const
@@ -157,6 +325,26 @@ void vtkMapShadowPass::SetLookupParameters(vtkShaderProgram* program, vtkProp*)
     program->SetUniform4fv((this->GetLookupPrefix() + "Faces").c_str(),
       static_cast<int>(faces.size()), reinterpret_cast<const float(*)[4]>(faces.data()));
   }
+  const std::vector<vtkShadowMapViews::CascadeParameters>& rows = this->Views->Cascades();
+  const std::vector<vtkShadowMapViews::CascadeParameters>& reaches = this->Views->Reaches();
+  if (!rows.empty())
+  {
+    program->SetUniform4fv((this->GetLookupPrefix() + "CascadeRows").c_str(),
+      static_cast<int>(rows.size()), reinterpret_cast<const float(*)[4]>(rows.data()));
+    program->SetUniform4fv((this->GetLookupPrefix() + "CascadeReaches").c_str(),
+      static_cast<int>(reaches.size()), reinterpret_cast<const float(*)[4]>(reaches.data()));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkMapShadowPass::GetDebugViews() const
+{
+  return vtkShadowMapDebugView::Names();
+}
+
+bool vtkMapShadowPass::DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view)
+{
+  return vtkShadowMapDebugView::Draw(view, frame, *this->Views, slot, *this->GetTextures());
 }
 
 //------------------------------------------------------------------------------
@@ -171,5 +359,14 @@ void vtkMapShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "NumberOfCascades: " << this->NumberOfCascades << "\n";
+  os << indent << "CascadeScheme: " << GetCascadeSchemeName(this->CascadeScheme) << "\n";
+  os << indent << "CascadeWeight: " << this->CascadeWeight << "\n";
+  os << indent << "CascadeBlend: " << this->CascadeBlend << "\n";
+  os << indent << "ConfineToView: " << this->ConfineToView << "\n";
+  os << indent << "FitCamera: " << this->FitCamera.Get() << "\n";
+  os << indent << "NumberOfViews: " << this->GetNumberOfViews() << "\n";
+  os << indent << "NumberOfSkippedLights: " << this->GetNumberOfSkippedLights() << "\n";
+  os << indent << "NumberOfCastersLeftOut: " << this->GetNumberOfCastersLeftOut() << "\n";
   os << indent << "NumberOfMapBuilds: " << this->NumberOfMapBuilds << "\n";
 }

@@ -7,10 +7,19 @@
  * map for each face of a cube in which a caster can shadow a receiver. Views are fitted in double
  * to the casters that can shadow a receiver. Flat casters that have every receiver on their lit
  * side (the floor under a scene) are left out. A map is drawn again only if the light, a caster or
- * the fit changed.
+ * the fit changed. A light of which no shadow can lie in the view has no map.
+ *
+ * A directional light may have cascades (SetNumberOfCascades): for a scene that reaches far beyond
+ * what is near to the eye.
  *
  * A technique says what its maps hold (DrawMap) and how a receiver is held against them
  * (GetCompareDeclarations); it knows of no kinds of light.
+ *
+ * @par Reference
+ * Zhang, Sun, Xu and Lun: Parallel-split shadow maps for large-scale virtual environments, VRCIA
+ * 2006 (cascades, and how they split); Engel: Cascaded shadow maps, ShaderX5, 2006; Valient: Stable
+ * rendering of cascaded shadow maps, ShaderX6, 2008 (texels fixed in the world); Stamminger and
+ * Drettakis: Perspective shadow maps, SIGGRAPH 2002 (what makes texels too large: "texel-density").
  *
  * @sa vtkDepthShadowMapPass vtkShadowTechniquePass
  */
@@ -22,6 +31,7 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkCamera;
 class vtkShadowMapViews;
 struct vtkShadowMapRoles;
 struct vtkShadowMapSlot;
@@ -41,6 +51,81 @@ public:
    */
   void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many views a directional light has at most, 1 to 8 (default 1): each serves what is up to
+   * some distance from the eye, and has texels as fine as that asks for. The last is the one view
+   * of all casters where its texels are fine enough, which then follows no eye. Fewer are made
+   * where more would not make texels finer by a half, so that a small scene has one. Spot and point
+   * lights have none, and a parallel camera has one, confined as by SetConfineToView. While the
+   * camera moves, a map is drawn again only once what it must hold leaves it, and its texels stay
+   * where they were in the world. Another number is an error and changes nothing.
+   */
+  void SetNumberOfCascades(int number);
+  vtkGetMacro(NumberOfCascades, int);
+  ///@}
+
+  enum CascadeSchemeType
+  {
+    PRACTICAL = 0,   // LOGARITHMIC and UNIFORM, blended by the weight
+    LOGARITHMIC = 1, // each cascade reaches as many times as far as the one before it
+    UNIFORM = 2      // each reaches farther by the same distance
+  };
+
+  ///@{
+  /**
+   * How cascades split the distances between the camera's near plane (or the nearest receiver's
+   * bounds) and where they end: one of CascadeSchemeType (default PRACTICAL), or its name
+   * ("practical", "logarithmic", "uniform"); and the share of LOGARITHMIC in PRACTICAL, 0 to 1
+   * (default 0.98). Else an error, and nothing changes.
+   */
+  void SetCascadeScheme(int scheme);
+  void SetCascadeScheme(const std::string& name);
+  vtkGetMacro(CascadeScheme, int);
+  static std::string GetCascadeSchemeName(int scheme);
+  void SetCascadeWeight(double weight);
+  vtkGetMacro(CascadeWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * The share of a cascade's reach over which it blends into the next, 0 (a seam) to 1 (default
+   * 0.1). There, both are looked up. Else an error, and nothing changes.
+   */
+  void SetCascadeBlend(double blend);
+  vtkGetMacro(CascadeBlend, double);
+  ///@}
+
+  ///@{
+  /**
+   * Confine the single view of a light, directional or spot, to the receivers in view, its sides on
+   * a grid of sixteenths of the whole (default off). Texels are finer in close-ups; but a map is
+   * drawn again whenever a side moves on, and its edges shift then by a part of a texel.
+   */
+  vtkSetMacro(ConfineToView, bool);
+  vtkGetMacro(ConfineToView, bool);
+  vtkBooleanMacro(ConfineToView, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The camera that views are fitted to; nullptr (default): the renderer's own. With another,
+   * cascades can be looked at from elsewhere. What that one does not see may be lit.
+   */
+  void SetFitCamera(vtkCamera* camera);
+  vtkCamera* GetFitCamera() const;
+  ///@}
+
+  ///@{
+  /**
+   * Counts of the last frame: views, each with a map; lights that had none because none of their
+   * shadows can lie in the view; and casters that a view did not draw, summed over the views.
+   */
+  int GetNumberOfViews() const;
+  int GetNumberOfSkippedLights() const;
+  int GetNumberOfCastersLeftOut() const;
   ///@}
 
   /**
@@ -74,6 +159,12 @@ protected:
   virtual double GetMarginTexels() const { return 2.0; }
 
   /**
+   * How far a surface may rise out of the receiver's plane beside it: what p is nearer to the light
+   * by, in texels' widths as depth.
+   */
+  virtual double GetRiseTexels() const { return 0.5; }
+
+  /**
    * Who casts and receives, and which maps there are.
    */
   virtual vtkShadowMapRoles GetRoles(const vtkShadowFrame& frame) const;
@@ -102,6 +193,9 @@ protected:
   void SetLookupParameters(vtkShaderProgram* program, vtkProp*) override;
   vtkMTimeType GetReceiverStamp() const override { return this->LookupStamp.GetMTime(); }
 
+  std::vector<std::string> GetDebugViews() const override;
+  bool DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view) override;
+
   const vtkShadowMapViews& GetViews() const { return *this->Views; }
 
   /**
@@ -116,12 +210,21 @@ protected:
   void LookupChanged() { this->LookupStamp.Modified(); }
 
   int Resolution = 2048;
+  int NumberOfCascades = 1;
+  int CascadeScheme = PRACTICAL;
+  double CascadeWeight = 0.98;
+  double CascadeBlend = 0.1;
+  bool ConfineToView = false;
   vtkIdType NumberOfMapBuilds = 0;
 
 private:
   vtkMapShadowPass(const vtkMapShadowPass&) = delete;
   void operator=(const vtkMapShadowPass&) = delete;
 
+  void SetShare(const char* name, double share, double& setting);
+  std::size_t NumberOfCascadedLights() const;
+
+  vtkSmartPointer<vtkCamera> FitCamera;
   vtkTimeStamp LookupStamp; // of the functions and layers that shaders are written with
   std::unique_ptr<vtkShadowMapViews> Views;
 };

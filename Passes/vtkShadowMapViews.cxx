@@ -1,14 +1,14 @@
 #include "vtkShadowMapViews.h"
 
-#include "ShadowReach.h"
 #include "vtkShadowMatrix.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <unordered_set>
 #include <utility>
 
 const vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0,
@@ -24,65 +24,16 @@ using FaceParameters = vtkShadowMapViews::FaceParameters;
 
 constexpr int NoLayer = vtkShadowMapView::NoLayer;
 
-constexpr double RiseTexels = 0.5;
-
-// From the clip space of a view to a map of width x height texels.
-glm::dmat4 MapFromClip(int width, int height)
-{
-  const glm::dvec3 half(0.5 * width, 0.5 * height, 0.5);
-  return glm::scale(glm::translate(glm::dmat4(1.0), half), half);
-}
-
-// What a receiver's depth is less by in a map of `width` texels, over w.
-//
-// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
-// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
-// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
-// eye's view coordinates, which are what floats get.
-//
-// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
-// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
-// that it is a constant here, too.
-double DepthSlack(const glm::dmat4& map, const LightView& view, const glm::dmat4& viewFromWorld,
-  int width, const std::vector<BoxCorners>& castersWC)
-{
-  double farthest = 0.0;
-  for (const BoxCorners& corners : castersWC)
-  {
-    for (const glm::dvec3& corner : corners)
-    {
-      farthest =
-        std::max(farthest, glm::length(glm::dvec3(viewFromWorld * glm::dvec4(corner, 1.0))));
-    }
-  }
-  const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
-  const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
-  const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
-  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
-  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
-    RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
-}
-
-// From the eye's view coordinates to a map of width x height texels, all in double.
-glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width,
-  int height, const std::vector<BoxCorners>& castersWC)
-{
-  glm::dmat4 map = MapFromClip(width, height) * view.clipFromView *
-    (view.viewFromWorld * glm::inverse(viewFromWorld));
-  map[3][2] -= DepthSlack(map, view, viewFromWorld, width, castersWC);
-  return map;
-}
-
 // A face on which nothing casts: every depth is nearer to the light.
 constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
 // In a cube of which `unit` is 1.
 FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
-  int side, double unit, const std::vector<BoxCorners>& castersWC)
+  int side, double unit, double riseTexels, double farthest)
 {
-  const glm::dmat4 map = MapFromClip(side, side) * view.clipFromView;
-  const double slack = DepthSlack(
-    map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, viewFromWorld, side, castersWC);
+  const glm::dmat4 map = vtkShadowMatrix::MapFromClip(side, side) * view.clipFromView;
+  const double slack = vtkShadowMapViews::DepthSlack(
+    map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, side, riseTexels, farthest);
   return { static_cast<float>(-map[2][2]), static_cast<float>((map[3][2] - slack) / unit),
     static_cast<float>(layer), static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
@@ -121,41 +72,79 @@ std::vector<BoxCorners> ReceiversBut(const vtkShadowScene& scene,
   return receivers;
 }
 
-// Fits the maps that `casters`, of the props `owners`, have in common.
-vtkshadows::LightViews AddViews(vtkShadowMapSlot& slot, const std::vector<BoxCorners>& casters,
-  const std::vector<std::size_t>& owners, const std::vector<BoxCorners>& receivers, double margin,
-  std::size_t caster, vtkMTimeType stamp)
+// Adds the views that are fitted to `casters`, of the props `owners`.
+void AddViews(vtkShadowMapSlot& slot, const std::vector<vtkshadows::FittedLightView>& views,
+  const std::vector<std::size_t>& owners, std::size_t caster, vtkMTimeType stamp)
 {
-  vtkshadows::LightViews fitted = vtkshadows::FitLightViews(slot.Light, casters, receivers, margin);
-  for (const vtkshadows::FittedLightView& view : fitted.views)
+  for (std::size_t i = 0; i < views.size(); ++i)
   {
     vtkShadowMapView placed;
     placed.Caster = caster;
-    placed.Face = view.face;
-    placed.View = view.view;
+    placed.Face = views[i].face;
+    placed.Cascade = slot.HasCascades ? static_cast<int>(i) : vtkShadowMapView::NoCascade;
+    placed.View = views[i].view;
     placed.CasterStamp = stamp;
-    for (const std::size_t i : view.casters)
+    for (const std::size_t k : views[i].casters)
     {
-      placed.Casters.push_back(owners[i]);
+      placed.Casters.push_back(owners[k]);
     }
     std::vector<std::size_t>& drawn = placed.Casters; // in ascending order
     drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
-    slot.Views.push_back(placed);
+    if (!drawn.empty())
+    {
+      slot.Views.push_back(placed);
+    }
   }
-  return fitted;
 }
 
-// Who can cast on any of the receivers. `stampOf(prop)`: of what a prop casts into a map of its
-// own.
-template <typename StampOf>
-vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light& light,
-  const vtkShadowMapRoles& roles, const std::vector<BoxCorners>& receivers, double margin,
-  const StampOf& stampOf)
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowMapViews::FarthestIn(
+  const glm::dmat4& spaceFromWorld, const std::vector<BoxCorners>& castersWC)
+{
+  double farthest = 0.0;
+  for (const BoxCorners& corners : castersWC)
+  {
+    for (const glm::dvec3& corner : corners)
+    {
+      farthest =
+        std::max(farthest, glm::length(glm::dvec3(spaceFromWorld * glm::dvec4(corner, 1.0))));
+    }
+  }
+  return farthest;
+}
+
+//------------------------------------------------------------------------------
+// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
+// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
+// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
+// eye's view coordinates, which are what floats get.
+//
+// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
+// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
+// that it is a constant here, too.
+double vtkShadowMapViews::DepthSlack(
+  const glm::dmat4& map, const LightView& view, int width, double riseTexels, double farthest)
+{
+  const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
+  const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
+  const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
+  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
+  // A map that is filled has as many texels on its other side.
+  const double perSide = view.fillsMap ? std::min(view.clipFromView[0][0], view.clipFromView[1][1])
+                                       : view.clipFromView[0][0];
+  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
+    riseTexels * std::abs(step) / (perSide * width);
+}
+
+//------------------------------------------------------------------------------
+std::vector<BoxCorners> vtkShadowMapViews::CastersOf(const vtkShadowScene& scene,
+  const vtkShadowScene::Light& light, const vtkShadowMapRoles& roles,
+  const std::vector<BoxCorners>& receivers, std::vector<std::size_t>& owners)
 {
   const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
-  vtkShadowMapSlot slot;
-  slot.Light = light.Ray;
-  std::vector<std::size_t> owners; // of the casters, among the props
+  std::vector<BoxCorners> casters;
   for (std::size_t i = 0; i < props.size(); ++i)
   {
     if (!roles.Casts(light, props[i]))
@@ -166,31 +155,120 @@ vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light
     {
       if (!vtkshadows::CastsOnNothing(piece.PlaneWC, light.Ray, receivers))
       {
-        slot.Casters.push_back(piece.CornersWC);
+        casters.push_back(piece.CornersWC);
         owners.push_back(i);
       }
     }
   }
+  return casters;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowMapViews::WidthOf(const LightView& view) const
+{
+  return view.fillsMap
+    ? this->FittedTo.Resolution
+    : TexelsOf(this->FittedTo.Resolution, view.clipFromView[1][1] / view.clipFromView[0][0]);
+}
+
+int vtkShadowMapViews::HeightOf(const LightView& view) const
+{
+  return view.fillsMap
+    ? this->FittedTo.Resolution
+    : TexelsOf(this->FittedTo.Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkShadowMapViews::MapOf(const LightView& view) const
+{
+  return vtkShadowMatrix::MapFromClip(this->WidthOf(view), this->HeightOf(view)) *
+    view.clipFromView;
+}
+
+glm::dmat4 vtkShadowMapViews::MapFromView(
+  const LightView& view, const glm::dmat4& viewFromWorld) const
+{
+  return this->MapOf(view) * (view.viewFromWorld * glm::inverse(viewFromWorld));
+}
+
+glm::dmat4 vtkShadowMapViews::ReceiverMap(const vtkShadowMapSlot& slot, const LightView& view,
+  const glm::dmat4& viewFromWorld, double riseTexels) const
+{
+  glm::dmat4 map = this->MapFromView(view, viewFromWorld);
+  map[3][2] -=
+    DepthSlack(map, view, this->WidthOf(view), riseTexels, FarthestIn(viewFromWorld, slot.Casters));
+  return map;
+}
+
+//------------------------------------------------------------------------------
+// Who can cast on any of the receivers, and from where they are seen.
+vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
+  const vtkShadowScene::Light& light, const vtkShadowMapRoles& roles,
+  const std::vector<BoxCorners>& receivers) const
+{
+  const vtkShadowScene& scene = *frame.Scene;
+  vtkShadowMapSlot slot;
+  slot.Light = light.Ray;
+  std::vector<std::size_t> owners; // of the casters, among the props
+  slot.Casters = CastersOf(scene, light, roles, receivers, owners);
   slot.CasterProps = owners;
   slot.CasterProps.erase(
     std::unique(slot.CasterProps.begin(), slot.CasterProps.end()), slot.CasterProps.end());
+  slot.HasCascades = roles.MayCascade && !roles.MapPerCaster &&
+    light.Ray.kind == LightKind::Directional && this->FittedTo.Cascades.count > 1;
 
+  const vtkshadows::CascadeEye& eye = this->FittedTo.Eye;
+  const glm::dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+  // A penumbra reaches farther than the shadow from the light's middle.
+  const auto isSoftSeen = [&](const BoxCorners& caster)
+  {
+    return vtkshadows::SoftShadowMayBeSeen(clipFromWorld, vtkshadows::HomogeneousLight(light.Ray),
+      light.Ray.radius, caster, this->SeenReceivers);
+  };
+  slot.IsSkipped = !slot.Casters.empty() &&
+    !vtkshadows::LightMayBeSeen(clipFromWorld, this->SeenReceivers, light.Ray, slot.Casters) &&
+    (light.Ray.radius == 0.0 || std::none_of(slot.Casters.begin(), slot.Casters.end(), isSoftSeen));
+  if (slot.IsSkipped)
+  {
+    return slot;
+  }
+
+  // A map narrower than its margins is all margin.
+  const double margin = this->FittedTo.MarginTexels;
+  const double share =
+    margin / std::max(static_cast<double>(this->FittedTo.Resolution), 4.0 * margin);
   if (roles.MapPerCaster)
   {
     for (const std::size_t i : slot.CasterProps)
     {
-      const std::vector<BoxCorners> own = CornersOf(props[i]);
-      AddViews(slot, own, std::vector<std::size_t>(own.size(), i),
-        ReceiversBut(scene, light, roles, { i }), margin, i, stampOf(i));
+      const std::vector<BoxCorners> own = CornersOf(scene.GetProps()[i]);
+      const vtkshadows::LightViews fitted =
+        vtkshadows::FitLightViews(slot.Light, own, ReceiversBut(scene, light, roles, { i }), share);
+      AddViews(slot, fitted.views, std::vector<std::size_t>(own.size(), i), i,
+        this->CasterStates[i].Stamp.GetMTime());
     }
   }
   else
   {
-    const vtkshadows::LightViews fitted = AddViews(slot, slot.Casters, owners,
-      roles.SelfShadows ? receivers : ReceiversBut(scene, light, roles, slot.CasterProps), margin,
-      vtkShadowMapView::AllCasters, scene.GetCasterStamp());
+    const std::vector<BoxCorners> others =
+      roles.SelfShadows ? receivers : ReceiversBut(scene, light, roles, slot.CasterProps);
+    vtkshadows::LightViews fitted =
+      vtkshadows::FitLightViews(slot.Light, slot.Casters, others, share);
     slot.IsCube = fitted.isCube;
     slot.CubeFromWorld = fitted.cubeFromWorld;
+    if (slot.HasCascades && !fitted.views.empty())
+    {
+      this->FitCascades(slot, others, fitted.views);
+    }
+    else if (this->FittedTo.ConfineToView && !fitted.isCube && !fitted.views.empty())
+    {
+      vtkshadows::FittedLightView& one = fitted.views.front();
+      if (vtkshadows::ConfineView(one.view, others, eye, share))
+      {
+        one.casters = vtkshadows::CastersIn(one.view, slot.Casters);
+      }
+    }
+    AddViews(slot, fitted.views, owners, vtkShadowMapView::AllCasters, scene.GetCasterStamp());
   }
   if (roles.Needs)
   {
@@ -201,36 +279,38 @@ vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light
   return slot;
 }
 
-}
-
 //------------------------------------------------------------------------------
-int vtkShadowMapViews::WidthOf(const LightView& view) const
+// In place of the one view of a directional light.
+void vtkShadowMapViews::FitCascades(vtkShadowMapSlot& slot,
+  const std::vector<BoxCorners>& receivers, std::vector<vtkshadows::FittedLightView>& views) const
 {
-  return TexelsOf(this->Resolution, view.clipFromView[1][1] / view.clipFromView[0][0]);
-}
-
-int vtkShadowMapViews::HeightOf(const LightView& view) const
-{
-  return TexelsOf(this->Resolution, view.clipFromView[0][0] / view.clipFromView[1][1]);
-}
-
-glm::dmat4 vtkShadowMapViews::MapOf(const LightView& view) const
-{
-  return MapFromClip(this->WidthOf(view), this->HeightOf(view)) * view.clipFromView;
+  const vtkShadowMapFit& fit = this->FittedTo;
+  const LightView whole = views.front().view;
+  const auto before = std::find_if(this->SlotsBefore.begin(), this->SlotsBefore.end(),
+    [&whole](const vtkShadowMapSlot& other)
+    { return other.Cascades.lightFromWorld == glm::dmat3(whole.viewFromWorld); });
+  slot.Cascades = vtkshadows::FitLightCascades(slot.Light, whole, slot.Casters, receivers, fit.Eye,
+    fit.Cascades, fit.Resolution, fit.MarginTexels,
+    before != this->SlotsBefore.end() ? &before->Cascades : nullptr);
+  views.clear();
+  for (const vtkshadows::Cascade& cascade : slot.Cascades.cascades)
+  {
+    views.push_back({ cascade.view, vtkshadows::NoFace, cascade.casters });
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMapViews::Fit(const vtkShadowFrame& frame, const std::vector<int>& lights,
-  int resolution, double margin, const vtkShadowMapRoles& roles)
+  const vtkShadowMapFit& fit, const vtkShadowMapRoles& roles)
 {
-  this->Resolution = resolution;
+  this->FittedTo = fit;
   const vtkShadowScene& scene = *frame.Scene;
   if (roles.MapPerCaster)
   {
     this->StampCasters(scene);
   }
-  const auto stampOf = [this](std::size_t prop)
-  { return this->CasterStates[prop].Stamp.GetMTime(); };
+  this->CastersInScene = static_cast<int>(std::count_if(scene.GetProps().begin(),
+    scene.GetProps().end(), [](const vtkShadowScene::Prop& prop) { return prop.Casts; }));
   this->SlotsBefore = std::move(this->Slots);
   this->Slots.clear();
   std::vector<BoxCorners> receivers;
@@ -240,10 +320,11 @@ void vtkShadowMapViews::Fit(const vtkShadowFrame& frame, const std::vector<int>&
     if (this->Slots.empty() || roles.DifferByLight)
     {
       receivers = ReceiversBut(scene, light, roles, {});
+      this->SeenReceivers = {};
+      this->SeenReceivers.Add(
+        vtkshadows::SeenCorners(fit.Eye.clipFromView * fit.Eye.viewFromWorld, receivers));
     }
-    // A map narrower than its margins is all margin.
-    const double share = margin / std::max(static_cast<double>(resolution), 4.0 * margin);
-    this->Slots.push_back(SlotOf(scene, light, roles, receivers, share, stampOf));
+    this->Slots.push_back(this->SlotOf(frame, light, roles, receivers));
   }
 }
 
@@ -271,14 +352,6 @@ void vtkShadowMapViews::StampCasters(const vtkShadowScene& scene)
 }
 
 //------------------------------------------------------------------------------
-glm::dmat4 vtkShadowMapViews::MapFromView(
-  const vtkShadowMapSlot& slot, const vtkShadowMapView& view, const glm::dmat4& viewFromWorld) const
-{
-  return ::MapFromView(
-    view.View, viewFromWorld, this->WidthOf(view.View), this->HeightOf(view.View), slot.Casters);
-}
-
-//------------------------------------------------------------------------------
 int vtkShadowMapViews::NumberOfViews() const
 {
   std::size_t views = 0;
@@ -287,6 +360,26 @@ int vtkShadowMapViews::NumberOfViews() const
     views += slot.Views.size();
   }
   return static_cast<int>(views);
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowMapViews::NumberOfSkippedLights() const
+{
+  return static_cast<int>(std::count_if(this->Slots.begin(), this->Slots.end(),
+    [](const vtkShadowMapSlot& slot) { return slot.IsSkipped; }));
+}
+
+int vtkShadowMapViews::NumberOfCastersLeftOut() const
+{
+  int leftOut = 0;
+  for (const vtkShadowMapSlot& slot : this->Slots)
+  {
+    for (const vtkShadowMapView& view : slot.Views)
+    {
+      leftOut += this->CastersInScene - static_cast<int>(view.Casters.size());
+    }
+  }
+  return leftOut;
 }
 
 //------------------------------------------------------------------------------
@@ -354,7 +447,7 @@ int vtkShadowMapViews::LayerBefore(std::size_t slot, const vtkShadowMapView& lik
   {
     for (const vtkShadowMapView& view : this->SlotsBefore[slot].Views)
     {
-      if (view.Face == like.Face && view.Caster == like.Caster &&
+      if (view.Face == like.Face && view.Cascade == like.Cascade && view.Caster == like.Caster &&
         view.Layer < static_cast<int>(this->Drawn.size()))
       {
         return view.Layer;
@@ -365,36 +458,115 @@ int vtkShadowMapViews::LayerBefore(std::size_t slot, const vtkShadowMapView& lik
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat4& viewFromWorld)
+// A receiver goes into the light's axes with the eye as the origin, in which distances are what
+// cascades are chosen by, and from there into a map by a factor and an offset an axis.
+vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
+  const vtkShadowMapSlot& slot, const glm::dmat4& viewFromWorld, double riseTexels, double farthest)
+{
+  const vtkshadows::LightCascades& light = slot.Cascades;
+  const std::size_t first = this->CascadeRows.size();
+  const std::size_t firstReach = this->CascadeReaches.size();
+  // Nothing casts, and no end.
+  this->CascadeRows.resize(first + 2 * this->FittedTo.Cascades.count, { 0.0f, 0.0f, -1.0f, 0.0f });
+  for (std::size_t i = first + 1; i < this->CascadeRows.size(); i += 2)
+  {
+    this->CascadeRows[i] = { 1.0f, 1.0f, 0.0f, 0.0f };
+  }
+  const float noEnd = std::numeric_limits<float>::max();
+  this->CascadeReaches.resize(firstReach + 2, { noEnd, noEnd, noEnd, noEnd });
+  if (slot.Views.empty())
+  {
+    return LitEverywhere;
+  }
+
+  // Of a size that squares are floats.
+  double unit = light.cascades.front().texel * this->FittedTo.Resolution;
+  for (const vtkshadows::Cascade& cascade : light.cascades)
+  {
+    unit = std::isfinite(cascade.reach) ? std::max(unit, cascade.reach) : unit;
+  }
+  const glm::dmat4 worldFromView = glm::inverse(viewFromWorld);
+  const double betweenEyes =
+    glm::distance(light.eyeWC, glm::dvec3(worldFromView[3]) / worldFromView[3].w);
+  const double viewPerWorld = glm::length(glm::dvec3(viewFromWorld[0]));
+  for (std::size_t i = 0; i + 1 < light.cascades.size(); ++i)
+  {
+    const double reach = light.cascades[i].reach / unit;
+    this->CascadeReaches[firstReach + i / 4][i % 4] = static_cast<float>(reach * reach);
+    this->CascadeRows[first + 2 * i + 1][3] = static_cast<float>(1.0 / (reach * reach));
+  }
+  for (const vtkShadowMapView& placed : slot.Views)
+  {
+    const LightView& view = placed.View;
+    const int width = this->WidthOf(view);
+    const glm::dmat4 map = this->MapOf(view);
+    const double reach = (light.cascades[placed.Cascade].reach + betweenEyes) * viewPerWorld;
+    // Twice: there are two steps to it.
+    const double slack = 2.0 *
+      DepthSlack(map * (view.viewFromWorld * worldFromView), view, width, riseTexels,
+        std::min(reach, farthest));
+    const glm::dvec4 origin = map * (view.viewFromWorld * glm::dvec4(light.eyeWC, 1.0));
+    const std::size_t row = first + 2 * placed.Cascade;
+    this->CascadeRows[row] = { static_cast<float>(origin.x), static_cast<float>(origin.y),
+      static_cast<float>(origin.z - slack), static_cast<float>(placed.Layer) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->CascadeRows[row + 1][axis] = static_cast<float>(map[axis][axis] * unit);
+    }
+  }
+  glm::dmat4 fromWorld(light.lightFromWorld);
+  fromWorld[3] = glm::dvec4(-(light.lightFromWorld * light.eyeWC), 1.0);
+  glm::dmat4 axes = fromWorld * worldFromView / unit;
+  axes[3][3] = 0.0; // a direction, and not lit everywhere
+  return vtkShadowMatrix::ToFloats(axes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowMapViews::UpdateLookups(
+  const std::string& prefix, const glm::dmat4& viewFromWorld, double riseTexels)
 {
   std::vector<Lookup> lookups;
   this->Matrices.clear();
   this->CubeFaces.clear();
-  for (const vtkShadowMapSlot& slot : this->Slots)
+  this->CascadeRows.clear();
+  this->CascadeReaches.clear();
+  for (std::size_t i = 0; i < this->Slots.size(); ++i)
   {
+    const vtkShadowMapSlot& slot = this->Slots[i];
+    const double farthest = FarthestIn(viewFromWorld, slot.Casters);
     Lookup lookup;
     lookup.Function =
       prefix + (slot.Light.kind == LightKind::Directional ? "Parallel" : "Perspective");
     ShaderMatrix matrix = LitEverywhere;
-    if (slot.IsCube && !slot.Views.empty())
+    // One that is skipped keeps the shaders it had.
+    const bool wasCube = i < this->Lookups.size() && this->Lookups[i].Function == prefix + "Cube";
+    if (slot.HasCascades)
+    {
+      lookup.Function = prefix + "Cascades";
+      lookup.Index = static_cast<int>(this->CascadeReaches.size() / 2);
+      matrix = this->AddCascades(slot, viewFromWorld, riseTexels, farthest);
+    }
+    else if (slot.IsSkipped && !wasCube && i < this->Lookups.size())
+    {
+      lookup.Index = this->Lookups[i].Index;
+    }
+    else if (slot.IsSkipped && wasCube)
+    {
+      lookup.Function = prefix + "Cube";
+      lookup.Index = static_cast<int>(this->CubeFaces.size() / 6);
+      this->CubeFaces.resize(this->CubeFaces.size() + 6, LitFace);
+    }
+    else if (slot.IsCube && !slot.Views.empty())
     {
       lookup.Function = prefix + "Cube";
       lookup.Index = static_cast<int>(this->CubeFaces.size() / 6);
       this->CubeFaces.resize(this->CubeFaces.size() + 6, LitFace);
       // Of a size that the squares and cubes of its coordinates are floats.
-      double unit = 0.0;
-      for (const BoxCorners& corners : slot.Casters)
-      {
-        for (const glm::dvec3& corner : corners)
-        {
-          unit =
-            std::max(unit, glm::length(glm::dvec3(slot.CubeFromWorld * glm::dvec4(corner, 1.0))));
-        }
-      }
+      const double unit = FarthestIn(slot.CubeFromWorld, slot.Casters);
       for (const vtkShadowMapView& view : slot.Views)
       {
-        this->CubeFaces[6 * lookup.Index + view.Face] =
-          ParametersOf(view.View, viewFromWorld, view.Layer, this->Resolution, unit, slot.Casters);
+        this->CubeFaces[6 * lookup.Index + view.Face] = ParametersOf(view.View, viewFromWorld,
+          view.Layer, this->FittedTo.Resolution, unit, riseTexels, farthest);
       }
       glm::dmat4 cube = slot.CubeFromWorld * glm::inverse(viewFromWorld) / unit;
       cube[3][3] = 0.0; // a direction, and not lit everywhere
@@ -402,9 +574,9 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
     }
     else if (!slot.IsCube && !slot.Views.empty())
     {
+      const LightView& view = slot.Views.front().View;
       lookup.Index = slot.Views.front().Layer;
-      matrix =
-        vtkShadowMatrix::ToFloats(this->MapFromView(slot, slot.Views.front(), viewFromWorld));
+      matrix = vtkShadowMatrix::ToFloats(this->ReceiverMap(slot, view, viewFromWorld, riseTexels));
     }
     lookups.push_back(lookup);
     this->Matrices.push_back(matrix);

@@ -3,6 +3,8 @@
 #ifndef vtkShadowMapViews_h
 #define vtkShadowMapViews_h
 
+#include "LightCascades.h"
+#include "ShadowReach.h"
 #include "vtkShadowSceneData.h"
 
 #include "vtkTimeStamp.h"
@@ -21,6 +23,7 @@
 struct vtkShadowMapView
 {
   static constexpr int NoLayer = -1;
+  static constexpr int NoCascade = -1;
   static constexpr std::size_t AllCasters = static_cast<std::size_t>(-1);
 
   vtkshadows::LightView View;
@@ -28,13 +31,15 @@ struct vtkShadowMapView
   std::vector<std::size_t> Casters; // among the scene's props, ascending
   std::size_t Caster = AllCasters;  // whose own map this is, among the scene's props
   int Face = vtkshadows::NoFace;    // of a cube
+  int Cascade = NoCascade;          // among those of its slot
   int Layer = NoLayer;
 
   bool DrawsAs(const vtkShadowMapView& other) const
   {
     return this->CasterStamp == other.CasterStamp &&
       this->View.viewFromWorld == other.View.viewFromWorld &&
-      this->View.clipFromView == other.View.clipFromView && this->Casters == other.Casters;
+      this->View.clipFromView == other.View.clipFromView &&
+      this->View.fillsMap == other.View.fillsMap && this->Casters == other.Casters;
   }
 };
 
@@ -44,6 +49,10 @@ struct vtkShadowMapSlot
   vtkshadows::ShadowLight Light;
   bool IsCube = false;
   glm::dmat4 CubeFromWorld{ 1.0 };
+  // None of its shadows can be seen: it has no views.
+  bool IsSkipped = false;
+  bool HasCascades = false;
+  vtkshadows::LightCascades Cascades;
   std::vector<vtkshadows::BoxCorners> Casters; // that can cast on a receiver
   std::vector<std::size_t> CasterProps;        // whose they are, among the scene's props, ascending
   std::vector<vtkShadowMapView> Views;
@@ -61,25 +70,38 @@ struct vtkShadowMapRoles
   bool DifferByLight = false;
   bool SelfShadows = true;   // what casts into a map is looked up in it, too
   bool MapPerCaster = false; // each prop that casts has maps of its own, fitted to it
+  bool MayCascade = true;    // directional lights may have cascades
   // Whether this frame needs a map; none: it needs all.
   std::function<bool(const vtkShadowMapSlot&, const vtkShadowMapView&)> Needs;
+};
+
+// What views are fitted to, beside the scene.
+struct vtkShadowMapFit
+{
+  int Resolution = 1;      // texels on the longer side of a map
+  double MarginTexels = 0; // that stay free on every side
+  vtkshadows::CascadeSettings Cascades;
+  bool ConfineToView = false;
+  vtkshadows::CascadeEye Eye;
 };
 
 class vtkShadowMapViews
 {
 public:
-  // A matrix, and a face of a cube, as GLSL takes them.
+  // A matrix, a face of a cube, and a part of a cascade, as GLSL takes them.
   using ShaderMatrix = std::array<float, 16>;
   using FaceParameters = std::array<float, 4>;
+  using CascadeParameters = std::array<float, 4>;
 
   // Takes every point nearer to the light than any caster.
   static const ShaderMatrix LitEverywhere;
 
-  // Fits the views of `lights`, for maps of `resolution` texels on the longer side of which
-  // `margin` stay free on every side.
-  void Fit(const vtkShadowFrame& frame, const std::vector<int>& lights, int resolution,
-    double margin, const vtkShadowMapRoles& roles = {});
+  void Fit(const vtkShadowFrame& frame, const std::vector<int>& lights, const vtkShadowMapFit& fit,
+    const vtkShadowMapRoles& roles = {});
   int NumberOfViews() const;
+  int NumberOfSkippedLights() const;
+  // Casters that a view does not draw, summed over the views.
+  int NumberOfCastersLeftOut() const;
 
   // Gives each view one of `layers` layers: one that holds its map already, if there is.
   void Place(int layers);
@@ -108,26 +130,46 @@ public:
   }
 
   // What the lookup is told of each slot, once its views have layers; true if other shaders are
-  // needed for it. `prefix`: of the lookup's functions.
-  bool UpdateLookups(const std::string& prefix, const glm::dmat4& viewFromWorld);
+  // needed for it. `prefix`: of the lookup's functions; `riseTexels`: see DepthSlack.
+  bool UpdateLookups(const std::string& prefix, const glm::dmat4& viewFromWorld, double riseTexels);
   const std::string& Function(int slot) const { return this->Lookups[slot].Function; }
   int Index(int slot) const { return this->Lookups[slot].Index; }
   const float* Matrix(int slot) const { return this->Matrices[slot].data(); }
   // Six a cube.
   const std::vector<FaceParameters>& Faces() const { return this->CubeFaces; }
+  // Two a cascade, as many for each cascaded light as there may be; and two a light.
+  const std::vector<CascadeParameters>& Cascades() const { return this->CascadeRows; }
+  const std::vector<CascadeParameters>& Reaches() const { return this->CascadeReaches; }
 
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 
-  // From the eye's view coordinates to the texels of a map, and depth there less the bound of its
-  // rounding; homogeneous.
-  glm::dmat4 MapFromView(const vtkShadowMapSlot& slot, const vtkShadowMapView& view,
-    const glm::dmat4& viewFromWorld) const;
+  const vtkShadowMapFit& GetFit() const { return this->FittedTo; }
 
-  // Texels of a view's map. They are square: its shorter side has fewer.
+  // What can cast on any of the receivers, and which of the scene's props each is of.
+  static std::vector<vtkshadows::BoxCorners> CastersOf(const vtkShadowScene& scene,
+    const vtkShadowScene::Light& light, const vtkShadowMapRoles& roles,
+    const std::vector<vtkshadows::BoxCorners>& receivers, std::vector<std::size_t>& owners);
+
+  // What a receiver's depth is less by in a map of `width` texels, over w: a bound of its rounding,
+  // and the depth of `riseTexels` texels' width. `map`: to it from the eye's view coordinates;
+  // `farthest`: how far from the eye a receiver may lie, as FarthestIn finds it.
+  static double DepthSlack(const glm::dmat4& map, const vtkshadows::LightView& view, int width,
+    double riseTexels, double farthest);
+  // How far from the origin of a space the casters reach.
+  static double FarthestIn(
+    const glm::dmat4& spaceFromWorld, const std::vector<vtkshadows::BoxCorners>& castersWC);
+
+  // From the eye's view coordinates to the texels of a map, and depth there; homogeneous.
+  glm::dmat4 MapFromView(const vtkshadows::LightView& view, const glm::dmat4& viewFromWorld) const;
+  // The same with the depth less its slack, for receivers of what a slot's casters throw.
+  glm::dmat4 ReceiverMap(const vtkShadowMapSlot& slot, const vtkshadows::LightView& view,
+    const glm::dmat4& viewFromWorld, double riseTexels) const;
+  // From a view's own coordinates.
+  glm::dmat4 MapOf(const vtkshadows::LightView& view) const;
+
+  // Texels of a view's map. They are square, and its shorter side has fewer, unless it is filled.
   int WidthOf(const vtkshadows::LightView& view) const;
   int HeightOf(const vtkshadows::LightView& view) const;
-  // From a view's coordinates to its map: texels, and depth from 0 to 1.
-  glm::dmat4 MapOf(const vtkshadows::LightView& view) const;
 
 private:
   struct Content
@@ -154,10 +196,18 @@ private:
     }
   };
 
+  vtkShadowMapSlot SlotOf(const vtkShadowFrame& frame, const vtkShadowScene::Light& light,
+    const vtkShadowMapRoles& roles, const std::vector<vtkshadows::BoxCorners>& receivers) const;
+  void FitCascades(vtkShadowMapSlot& slot, const std::vector<vtkshadows::BoxCorners>& receivers,
+    std::vector<vtkshadows::FittedLightView>& views) const;
   int LayerBefore(std::size_t slot, const vtkShadowMapView& like) const;
   void StampCasters(const vtkShadowScene& scene);
+  ShaderMatrix AddCascades(const vtkShadowMapSlot& slot, const glm::dmat4& viewFromWorld,
+    double riseTexels, double farthest);
 
-  int Resolution = 0;
+  vtkShadowMapFit FittedTo;
+  vtkshadows::Box SeenReceivers; // those within the view's sides
+  int CastersInScene = 0;
   std::vector<vtkShadowMapSlot> Slots;
   std::vector<vtkShadowMapSlot> SlotsBefore; // as they were placed in the frame before
   std::vector<Content> Drawn;                // one a layer
@@ -165,6 +215,8 @@ private:
   std::vector<Lookup> Lookups;               // one a slot
   std::vector<ShaderMatrix> Matrices;
   std::vector<FaceParameters> CubeFaces;
+  std::vector<CascadeParameters> CascadeRows;
+  std::vector<CascadeParameters> CascadeReaches;
 };
 
 #endif

@@ -57,7 +57,8 @@ namespace
 const char* const NoTechnique = "none";
 
 const char* const NoView = "none";
-const std::vector<std::string> DebugViews = { "volumes", "silhouette", "counts" };
+const std::vector<std::string> DebugViews = { "volumes", "silhouette", "counts", "cascades",
+  "texel-density", "map", "lit-part" };
 
 // Faces nearer to edge-on than this are not measured: there, a rounding decides what is in shadow.
 constexpr double GrazingCosine = 0.02;
@@ -231,6 +232,21 @@ public:
       names += std::string(technique->GetTechniqueName()) + ", ";
     }
     return names + NoTechnique;
+  }
+
+  // The techniques that a view explains.
+  std::vector<std::string> ExplainedBy(const std::string& view) const
+  {
+    std::vector<std::string> names;
+    for (vtkShadowTechniquePass* technique : this->Techniques)
+    {
+      const std::vector<std::string> views = technique->GetDebugViews();
+      if (std::find(views.begin(), views.end(), view) != views.end())
+      {
+        names.push_back(technique->GetTechniqueName());
+      }
+    }
+    return names;
   }
 
   LightSettings SettingsOf(const vtkLight* light) const
@@ -534,9 +550,14 @@ void vtkShadowPass::ShowDebugView(const vtkShadowFrame& frame)
   const std::string fault = this->Internal->DrawDebugView(frame);
   if (!fault.empty() && fault != this->Internal->DebugFault)
   {
+    std::string names;
+    for (const std::string& name : this->Internal->ExplainedBy(this->Internal->DebugView))
+    {
+      names += (names.empty() ? "\"" : " or \"") + name + "\"";
+    }
     vtkWarningMacro("The debug view \"" << this->Internal->DebugView
                                         << "\" cannot be drawn: " << fault
-                                        << ". Give the light the technique \"stencil-volume\".");
+                                        << ". Give the light the technique " << names << ".");
   }
   this->Internal->DebugFault = fault;
 }
@@ -803,6 +824,17 @@ void vtkShadowPass::GetDebugViewNames(vtkStringArray* names)
   names->Initialize();
   names->InsertNextValue(NoView);
   for (const std::string& name : DebugViews)
+  {
+    names->InsertNextValue(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::GetDebugViewTechniques(const std::string& view, vtkStringArray* names)
+{
+  vtkNew<vtkShadowPass> pass;
+  names->Initialize();
+  for (const std::string& name : pass->Internal->ExplainedBy(view))
   {
     names->InsertNextValue(name);
   }

@@ -159,20 +159,36 @@ public:
 
   ///@{
   /**
-   * A view that explains the shadows of one light, drawn over the frame: "none" (default), or for a
+   * A view that explains the shadows of one light, drawn over the frame: "none" (default); or for a
    * light of the technique "stencil-volume":
    * - "volumes": the sides of its shadow volumes, blue where faces are counted before the receiver
    *   (z-pass) and orange where behind it (z-fail);
    * - "silhouette": the edges that the sides stand on, yellow, and magenta where more than one
    *   stands;
    * - "counts": in how many volumes each pixel's receiver lies: 1 to 6 from blue to red, more
-   *   purple, from 256 on white, below 0 grey.
-   * Another name is an error that lists the known ones, and changes nothing.
+   *   purple, from 256 on white, below 0 grey;
+   * or for a light of a technique by maps, "depth-map":
+   * - "cascades": which of its maps each receiver is looked up in, by colour: cascades from the
+   *   nearest on, and faces of a cube, orange, sky blue, green, yellow, blue, vermilion, purple,
+   *   grey; without colour where there is no map;
+   * - "texel-density": the map's texels to a pixel, in the direction in which they are fewest: red
+   *   where a texel is 16 pixels wide or more, pale at 1, blue at 16 texels to a pixel or more. Red
+   *   beside blue are the duelling frusta of light and eye;
+   * - "map": the maps themselves, from the lower left, near to the light black, far and empty
+   * white;
+   * - "lit-part": the part of the scene that each map covers, in those colours, the finest in
+   * front, its border as a line; dark what no map covers. Another name is an error that lists the
+   * known ones, and changes nothing.
    */
   bool SetDebugView(const std::string& view);
   std::string GetDebugView() const;
   static void GetDebugViewNames(vtkStringArray* names);
   ///@}
+
+  /**
+   * The techniques that a view explains, none for "none".
+   */
+  static void GetDebugViewTechniques(const std::string& view, vtkStringArray* names);
 
   ///@{
   /**

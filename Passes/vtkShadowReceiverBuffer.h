@@ -57,6 +57,9 @@ public:
 
   std::size_t CountReceivers() const;
 
+  // The same as a texture; once drawn.
+  vtkShadowTextureArray& Texture() { return this->Colour; }
+
   // Draw the receivers' visibility of light `light` instead: one float a pixel, 1 where there is
   // none.
   bool DrawVisibility(const vtkShadowFrame& frame, int light, std::vector<float>& visibility);

@@ -154,11 +154,15 @@ protected:
   virtual CasterCode GetCasterCode() const;
   ///@}
 
+  ///@{
   /**
-   * Draw a view that explains the visibility of the light in `slot` over the frame, in the bound
-   * framebuffer: one of vtkShadowPass::GetDebugViewNames. false if the technique has no such view.
+   * The views, of those of vtkShadowPass::GetDebugViewNames, by which it explains its visibility;
+   * and draw one, of the light in `slot`, over the frame in the bound framebuffer: false if the
+   * driver cannot.
    */
+  virtual std::vector<std::string> GetDebugViews() const { return {}; }
   virtual bool DrawDebugView(const vtkShadowFrame&, int, const std::string&) { return false; }
+  ///@}
 
   /**
    * LOOKUP: the matrix that makes every position lit, for what takes no shadows.

@@ -408,6 +408,7 @@ vtkShadowMapRoles vtkShadowTexturePass::GetRoles(const vtkShadowFrame& frame) co
 {
   vtkShadowMapRoles roles;
   roles.SelfShadows = false;
+  roles.MayCascade = false;
   roles.MapPerCaster = this->Internal->Now.PerCaster;
   roles.DifferByLight = true;
   const vtkShadowScene* scene = frame.Scene;
@@ -497,7 +498,8 @@ bool vtkShadowTexturePass::UpdateVisibility(
     for (const vtkShadowMapView& view : slot.Views)
     {
       Texture texture;
-      texture.FromView = views.MapFromView(slot, view, frame.ViewFromWorld);
+      texture.FromView =
+        views.ReceiverMap(slot, view.View, frame.ViewFromWorld, this->GetRiseTexels());
       texture.Layer = view.Layer;
       texture.Size[0] = views.WidthOf(view.View);
       texture.Size[1] = views.HeightOf(view.View);

@@ -4,6 +4,7 @@
 #include "vtkShadowFullScreen.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
+#include "vtkShadowOverlay.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowSumFS.h"
 #include "vtkShadowedShadingPass.h"
@@ -119,37 +120,6 @@ void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec4& v)
     static_cast<float>(v.z), static_cast<float>(v.w) };
   program->SetUniform4f(name, values);
 }
-
-// What is blended over a frame: tested against its depths, which stay.
-class OverlayState
-{
-public:
-  explicit OverlayState(vtkOpenGLState* state)
-    : DepthMask(state)
-    , DepthFunc(state)
-    , BlendFunc(state)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
-    , CullFace(state, GL_CULL_FACE)
-  {
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthFunc(GL_LEQUAL);
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(
-      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-
-private:
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-};
 
 void DrawLines(const std::vector<std::uint32_t>& indices)
 {
@@ -632,7 +602,7 @@ void vtkShadowVolumeCounter::Show(
   const vtkShadowFrame& frame, const std::vector<Draw>& draws, const Use& use)
 {
   this->State = frame.Window->GetState();
-  const OverlayState overlay(this->State);
+  const vtkShadowOverlay::State overlay(this->State);
   glEnable(GL_DEPTH_CLAMP);
   this->StartVolumes(frame, vtkStencilShadowVolumePassViewFS);
   for (const Draw& draw : draws)
@@ -692,21 +662,15 @@ void vtkShadowVolumeCounter::ShowSilhouettes(
 void vtkShadowVolumeCounter::ShowCounts(const vtkShadowFrame& frame)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  const OverlayState overlay(state);
+  const vtkShadowOverlay::State overlay(state);
   state->vtkglDisable(GL_DEPTH_TEST);
-  int viewport[4];
-  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
-  const float scale[2] = { static_cast<float>(frame.Size[0]) / static_cast<float>(viewport[2]),
-    static_cast<float>(frame.Size[1]) / static_cast<float>(viewport[3]) };
   vtkShaderProgram* program =
     vtkShadowFullScreen::Ready(frame.Window, vtkStencilShadowVolumePassCountsFS);
   this->Counts.Activate();
   this->Depth.Activate();
   program->SetUniformi("shadowCounts", this->Counts.Unit());
   program->SetUniformi("shadowDepths", this->Depth.Unit());
-  program->SetUniform2f("shadowViewOrigin", origin);
-  program->SetUniform2f("shadowViewScale", scale);
+  vtkShadowOverlay::PlaceViewport(frame, program);
   vtkShadowFullScreen::Draw();
   this->Depth.Deactivate();
   this->Counts.Deactivate();

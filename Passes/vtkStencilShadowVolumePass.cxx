@@ -399,6 +399,12 @@ bool vtkStencilShadowVolumePass::CountAgain(
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkStencilShadowVolumePass::GetDebugViews() const
+{
+  return { "volumes", "silhouette", "counts" };
+}
+
+//------------------------------------------------------------------------------
 bool vtkStencilShadowVolumePass::DrawDebugView(
   const vtkShadowFrame& frame, int slot, const std::string& view)
 {

@@ -212,6 +212,7 @@ protected:
   bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   vtkShadowTextureArray* GetTextures() override;
   std::string GetSamplerName() const override { return "shadowVolumeMasks"; }
+  std::vector<std::string> GetDebugViews() const override;
   bool DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view) override;
 
   friend class vtkShadowPass;

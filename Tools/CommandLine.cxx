@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int MostLightSamples = 4096;
+constexpr int MostCascadesOfALight = 8;
 
 // The options as they are written.
 struct RawOptions
@@ -31,6 +32,7 @@ struct RawOptions
   std::optional<std::string> json;
   std::optional<std::string> debug;
   std::optional<int> resolution;
+  std::optional<int> cascades;
   std::optional<int> lightSamples;
   std::optional<double> isovalue;
   std::optional<int> frames;
@@ -70,6 +72,11 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
       "texels on the longer side of a depth or object-ID map, or of a shadow texture")
     ->type_name("N");
   app
+    .add_option("--cascades", raw.cascades,
+      "depth maps of a directional light at most, 1 to " + std::to_string(MostCascadesOfALight) +
+        "; default: 1")
+    ->type_name("N");
+  app
     .add_option("--light-samples", raw.lightSamples,
       "sample lights of a light with a radius, 1 to " + std::to_string(MostLightSamples) +
         ", for stencil-volume (default 32) and ray-cast (default 64)")
@@ -99,8 +106,8 @@ CLI::App* AddRender(CLI::App& app, RawOptions& raw)
     ->type_name("FILE.png");
   render
     ->add_option("--debug", raw.debug,
-      "a view that explains the first light of technique " + std::string(DebuggedTechnique) +
-        ", drawn over the picture: " + KnownDebugViews())
+      "a view that explains the first light whose technique has it, drawn over the picture: " +
+        KnownDebugViews())
     ->type_name("VIEW");
   AddSharedOptions(*render, raw);
   return render;
@@ -152,13 +159,15 @@ std::string InterpretDebugView(const RawOptions& raw, const Options& options)
   {
     techniques.push_back(shared);
   }
+  const std::vector<std::string> explained = TechniquesExplainedBy(view);
   if (view != "none" &&
-    std::find(techniques.begin(), techniques.end(), DebuggedTechnique) == techniques.end())
+    std::find_first_of(techniques.begin(), techniques.end(), explained.begin(), explained.end()) ==
+      techniques.end())
   {
     throw Failure("--debug", view,
-      "shows shadow volumes, and no light is shadowed by them: the technique is " +
+      "explains " + explained.front() + ", and no light is shadowed by that: the technique is " +
         techniques.front(),
-      std::string("add --technique ") + DebuggedTechnique);
+      "add --technique " + explained.front());
   }
   return view;
 }
@@ -186,6 +195,7 @@ StageSettings InterpretStage(const RawOptions& raw)
   stage.size = ParseSize(raw.size);
   stage.floor = ParseFloor(raw.floor);
   stage.resolution = raw.resolution;
+  stage.cascades = raw.cascades;
   stage.lightSamples = raw.lightSamples;
   return stage;
 }
@@ -229,6 +239,7 @@ Options Interpret(const RawOptions& raw, Job job)
 {
   CheckCount("--frames", raw.frames);
   CheckCount("--resolution", raw.resolution);
+  CheckCount("--cascades", raw.cascades, MostCascadesOfALight);
   CheckCount("--light-samples", raw.lightSamples, MostLightSamples);
 
   Options options;

@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Techniques.h"
 
+#include <algorithm>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDepthShadowMapPass.h>
@@ -58,6 +59,10 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   this->renderer->GradientBackgroundOn();
 
   this->SetMapResolution(settings.resolution);
+  if (settings.cascades)
+  {
+    this->shadows->GetDepthShadowMapPass()->SetNumberOfCascades(*settings.cascades);
+  }
   this->SetLightSamples(settings.lightSamples);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
@@ -211,10 +216,11 @@ std::string Stage::TechniqueOf(std::size_t light)
 
 void Stage::ShowDebugView(const std::string& view)
 {
+  const std::vector<std::string> explained = TechniquesExplainedBy(view);
   this->shadows->SetDebugLight(nullptr);
   for (std::size_t i = this->lights.size(); i-- > 0;)
   {
-    if (this->TechniqueOf(i) == DebuggedTechnique)
+    if (std::find(explained.begin(), explained.end(), this->TechniqueOf(i)) != explained.end())
     {
       this->shadows->SetDebugLight(this->lights[i]);
     }

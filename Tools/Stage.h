@@ -30,7 +30,8 @@ struct StageSettings
   std::optional<glm::dvec3> up;
   FloorSpec floor;
   WindowSize size;
-  std::optional<int> resolution;   // of depth and object-ID maps, texels
+  std::optional<int> resolution;   // of maps, texels
+  std::optional<int> cascades;     // maps of a directional light
   std::optional<int> lightSamples; // of a light with a radius
 };
 
@@ -52,7 +53,7 @@ public:
   void UseTechnique(const std::string& technique);
   std::string TechniqueOf(std::size_t light);
 
-  // What explains the first light of DebuggedTechnique, over the frame; "none": nothing.
+  // What explains the first light whose technique has that view, over the frame; "none": nothing.
   void ShowDebugView(const std::string& view);
 
   // Shadows on or off, as a user turns them: by the renderer's pass.

@@ -13,7 +13,8 @@ namespace vtkshadows
 namespace
 {
 
-std::vector<std::string> NamesFrom(void (*fill)(vtkStringArray*))
+template <typename Fill>
+std::vector<std::string> NamesFrom(const Fill& fill)
 {
   vtkNew<vtkStringArray> array;
   fill(array);
@@ -69,6 +70,12 @@ void RequireTechnique(const std::string& option, const std::string& name)
 std::string KnownDebugViews()
 {
   return ListOf(DebugViewNames());
+}
+
+std::vector<std::string> TechniquesExplainedBy(const std::string& view)
+{
+  return NamesFrom(
+    [&view](vtkStringArray* names) { vtkShadowPass::GetDebugViewTechniques(view, names); });
 }
 
 void RequireDebugView(const std::string& option, const std::string& name)

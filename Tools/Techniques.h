@@ -17,9 +17,9 @@ std::string KnownTechniques();
 // Throws Failure, naming `option`, unless there is a technique `name`.
 void RequireTechnique(const std::string& option, const std::string& name);
 
-// The same of the views that explain, which are those of one technique.
-inline constexpr const char* DebuggedTechnique = "stencil-volume";
+// The same of the views that explain, and the techniques that a view explains.
 std::string KnownDebugViews();
+std::vector<std::string> TechniquesExplainedBy(const std::string& view);
 void RequireDebugView(const std::string& option, const std::string& name);
 
 }

@@ -5,14 +5,18 @@
 //   float shadowMapCompare(int layer, vec3 p, vec2 slope)
 // with p: texels, and depth less the bound of its rounding; slope: of the receiver's plane, in depth per texel.
 
-// dx, dy: how p changes along two directions on the receiver's plane.
-float shadowMapCompare(int layer, vec3 p, vec3 dx, vec3 dy)
+// Depth change per texel on the receiver's plane; dx, dy: how a position in the map changes along two
+// directions on it.
+vec2 shadowMapSlope(vec3 dx, vec3 dy)
 {
-  // The receiver's plane in the map: depth change per texel.
   float determinant = dx.x * dy.y - dx.y * dy.x;
   float inverse = determinant != 0.0 ? 1.0 / determinant : 0.0;
-  vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
-  return shadowMapCompare(layer, p, slope);
+  return vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) * inverse;
+}
+
+float shadowMapCompare(int layer, vec3 p, vec3 dx, vec3 dy)
+{
+  return shadowMapCompare(layer, p, shadowMapSlope(dx, dy));
 }
 
 float shadowMapParallel(int layer, vec4 q)
@@ -77,5 +81,60 @@ float shadowMapCube(int cube, vec4 q)
 float shadowMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
 {
   return shadowMapCube(cube, q, cross(dq1.xyz, dq2.xyz));
+}
+#endif
+
+#ifdef SHADOW_MAP_CASCADED_LIGHTS
+// For each of SHADOW_MAP_CASCADES cascades of a light two: what is added in the map (texels, depth), and the
+// layer; what the position is multiplied by before, and the inverse square of the cascade's reach, 0 if it has
+// no end.
+uniform vec4 shadowMapCascadeRows[2 * SHADOW_MAP_CASCADES * SHADOW_MAP_CASCADED_LIGHTS];
+// Squares of the reaches of a light's cascades, but the last's; infinite, as floats go, where there is none.
+uniform vec4 shadowMapCascadeReaches[2 * SHADOW_MAP_CASCADED_LIGHTS];
+
+// q: in the light's axes, as seen from the eye: its length is the distance that a cascade is chosen by. slope: of
+// the receiver's plane there. Where a cascade ends, over SHADOW_MAP_CASCADE_BLEND of its reach, it blends into
+// the next.
+float shadowMapCascades(int light, vec4 q, vec2 slope)
+{
+  float square = dot(q.xyz, q.xyz);
+  vec4 isBeyond = step(shadowMapCascadeReaches[2 * light], vec4(square));
+#if SHADOW_MAP_CASCADES > 5
+  isBeyond += step(shadowMapCascadeReaches[2 * light + 1], vec4(square));
+#endif
+  int row = 2 * (SHADOW_MAP_CASCADES * light + int(dot(isBeyond, vec4(1.0)) + 0.5));
+  vec4 offset = shadowMapCascadeRows[row], scale = shadowMapCascadeRows[row + 1];
+#ifdef SHADOW_MAP_CASCADE_BLEND
+  const float start = (1.0 - SHADOW_MAP_CASCADE_BLEND) * (1.0 - SHADOW_MAP_CASCADE_BLEND);
+  float next = clamp((square * scale.w - start) * (1.0 / (1.0 - start)), 0.0, 1.0);
+#else
+  float next = 0.0;
+#endif
+  // A loop whose end comes after the lookup: a software rasteriser goes through both sides of a branch, and once
+  // through what lies behind a break.
+  float visibility = 0.0, share = 1.0 - next;
+  for (;;)
+  {
+    visibility += share * shadowMapCompare(int(offset.w), q.xyz * scale.xyz + offset.xyz, slope * scale.z / scale.xy);
+    if (next <= 0.0)
+    {
+      break;
+    }
+    offset = shadowMapCascadeRows[row + 2];
+    scale = shadowMapCascadeRows[row + 3];
+    share = next;
+    next = 0.0;
+  }
+  return q.w > 0.0 ? 1.0 : visibility;
+}
+
+float shadowMapCascades(int light, vec4 q)
+{
+  return shadowMapCascades(light, q, shadowMapSlope(dFdx(q.xyz), dFdy(q.xyz)));
+}
+
+float shadowMapCascades(int light, vec4 q, vec4 dq1, vec4 dq2)
+{
+  return shadowMapCascades(light, q, shadowMapSlope(dq1.xyz, dq2.xyz));
 }
 #endif

@@ -135,6 +135,8 @@ def enable(
         32 (a float). With 24 there are 255 IDs, which further objects share; else 65535.
     object_taps : object-id: test n x n texels, 1 to 4 (2): blended, or without depths in shadow where all
         agree.
+    cascades : depth-map, object-id and shadow-texture: maps of a directional light at most, 1 to 8 (1): each as
+        fine as what it serves is near. For a scene that reaches far beyond what is near to the eye.
     light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
         4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
     variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
@@ -159,9 +161,10 @@ def enable(
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
     radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
         stencil-volume and ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
-    debug_view : "none" (default), "volumes", "silhouette" or "counts": drawn over the frame, it explains
-        the first light that casts, whose technique must be stencil-volume; another light by
-        `shadows.SetDebugLight(light)`. Colours: see vtkShadowPass::SetDebugView.
+    debug_view : "none" (default); "volumes", "silhouette" or "counts" for a light of stencil-volume;
+        "cascades", "texel-density", "map" or "lit-part" for one of a technique by maps: drawn over the frame, it
+        explains the first light that casts; another light by `shadows.SetDebugLight(light)`. Colours: see
+        vtkShadowPass::SetDebugView.
 
     Returns
     -------
@@ -717,6 +720,10 @@ def _set_object_taps(shadows, renderer, value):
     shadows.GetObjectIDShadowPass().SetTaps(value)
 
 
+def _set_cascades(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetNumberOfCascades(value)
+
+
 def _set_light_samples(shadows, renderer, value):
     shadows.GetPlanarShadowPass().SetLightSamples(value)
     shadows.GetStencilShadowVolumePass().SetLightSamples(value)
@@ -840,6 +847,7 @@ _SETTINGS = {
     "object_depth": _Setting(_flag, _set_object_depth),
     "object_depth_bits": _Setting(_depth_bits, _set_object_depth_bits),
     "object_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 4), _set_object_taps),
+    "cascades": _Setting(lambda n, v: _whole_number(n, v, 1, 8), _set_cascades),
     "light_samples": _Setting(lambda n, v: _whole_number(n, v, 1, 4096), _set_light_samples),
     "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
     "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),

@@ -26,6 +26,8 @@ class TestArguments(unittest.TestCase):
             ("unknown technique None", dict(technique=None)),
             ("unknown setting 'resolutoin'; there are resolution", dict(resolutoin=1)),
             ("resolution: 0 is out of range; give 1", dict(resolution=0)),
+            ("cascades: 0 is out of range; give 1 to 8", dict(cascades=0)),
+            ("cascades: 9 is out of range; give 1 to 8", dict(cascades=9)),
             ("resolution: 1.5 is not a whole number", dict(resolution=1.5)),
             ("object_type: 'atom' is not known; there are prop, block", dict(object_type="atom")),
             ("object_depth: 1 is not True or False", dict(object_depth=1)),

@@ -21,8 +21,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     PLANAR_EXAMPLE,
     OBJECT_EXAMPLE,
     TEXTURE_EXAMPLE,
-) = sys.argv[1:10]
-FOLDER = pathlib.Path(sys.argv[10])
+    CASCADES_EXAMPLE,
+) = sys.argv[1:11]
+FOLDER = pathlib.Path(sys.argv[11])
 
 
 def read_png(path):
@@ -158,6 +159,20 @@ class TestExamples(unittest.TestCase):
         self.assertLessEqual(hard, 0.05)
         self.assertLessEqual(soft, 0.004)
         self.assertEqual(read_png(file).shape[:2], (480, 640))
+
+    def test_cascades(self):
+        files = [FOLDER / "cascades.png", FOLDER / "cascades_explained.png"]
+        for file in files:
+            file.unlink(missing_ok=True)
+        done = run(sys.executable, CASCADES_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        one, four = (float(share) for share in re.findall(r": ([\d.]+) %", done.stdout))
+        print(f"wrong: got {one} and {four} %, expected at most a third of the first")
+        self.assertLess(3 * four, one)
+        plain, explained = map(read_png, files)
+        different = int((plain != explained).any(axis=2).sum())
+        print(f"pixels that differ: got {different}, expected 1000 or more")
+        self.assertGreaterEqual(different, 1000)
 
 
 if __name__ == "__main__":

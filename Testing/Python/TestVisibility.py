@@ -120,6 +120,18 @@ class TestVisibility(unittest.TestCase):
                 self.assertEqual(different == 0, view == "none")
                 self.assertTrue((vtkshadows.visibility(SCENE.renderer) == mask).all())
 
+    def test_debug_views_of_maps(self):
+        vtkshadows.enable(SCENE.renderer, "depth-map", debug_view="none")
+        plain = SCENE.frame()
+        for view in ("cascades", "texel-density", "map", "lit-part"):
+            with self.subTest(view=view):
+                vtkshadows.enable(SCENE.renderer, "depth-map", debug_view=view)
+                different = int((SCENE.frame() != plain).any(axis=2).sum())
+                print(f"{view}: pixels that differ: got {different}, expected 50 or more")
+                self.assertGreater(different, 50)
+        vtkshadows.enable(SCENE.renderer, "depth-map", debug_view="none")
+        self.assertTrue((SCENE.frame() == plain).all())
+
     def test_light_samples(self):
         """One name for both soft techniques: of two samples each, a pixel sees none, one or both."""
         for technique in {"stencil-volume", "ray-cast"} & set(vtkshadows.techniques()):

@@ -94,6 +94,8 @@ refused(["--techniques photon", "depth-map"], "compare", "mesh.off", "-o", "resu
         "--techniques", "depth-map,photon")  # fmt: skip
 refused_option(["less than 1"], "--resolution", "0", "1 or more")
 refused_option(["OpenGL driver"], "--resolution", "1000000", "at most")
+refused_option(["less than 1"], "--cascades", "0", "1 or more")
+refused_option(["more than 8"], "--cascades", "9", "1 to 8")
 refused_option(["less than 1"], "--frames", "-2", "1 or more")
 refused_option(["less than 1"], "--light-samples", "0", "1 or more")
 refused_option(["more than 4096"], "--light-samples", "5000", "1 to 4096")
@@ -102,6 +104,10 @@ for words in ([], ["--technique", "ray-cast"], ["--light", "point:1,2,3@techniqu
     technique = words[1].split("=")[-1] if words else "depth-map"
     refused(["--debug counts", "technique is " + technique, "--technique stencil-volume"],
             "render", "mesh.off", *PICTURE, "--debug", "counts", *words)  # fmt: skip
+
+for view in ("cascades", "texel-density", "map", "lit-part"):
+    refused(["--debug " + view, "technique is ray-cast", "--technique depth-map"], "render", "mesh.off", *PICTURE,
+            "--debug", view, "--technique", "ray-cast")  # fmt: skip
 
 refused_option(["no direction"], "--light", "directional:0,0,0", "not zero")
 refused_option(["no direction"], "--light", "spot:1,1,1:1,1,1:30", "focal point")
@@ -138,6 +144,7 @@ refused(["INPUT", "--help"], "render", *PICTURE, status=2)
 refused(["--bogus", "render --help"], "render", "mesh.off", *PICTURE, "--bogus", status=2)
 refused(["--debug", "compare --help"], "compare", "mesh.off", "-o", "results", "--debug", "volumes",
         status=2)  # fmt: skip
+refused(["--cascades", "--help"], "render", "mesh.off", *PICTURE, "--cascades", "some", status=2)
 refused(["--resolution", "--help"], "render", "mesh.off", *PICTURE, "--resolution", "many", status=2)
 
 finish()

@@ -105,6 +105,19 @@ for view, hue in (
         check(f"{name}: 50 or more of {drawn} pixels are nearer to its colour", drawn >= 50, True)
         check(f"{name}: mask in the shadow", mask_at(Image("debug-0.png"), 0, 1), 0)
 
+# Those of the maps: the picture changes, the mask stays. A scene as small as this one has one map, whatever is asked.
+succeed("render", *SCENE, "--light", light, "-o", "maps.png")
+for view in ("cascades", "texel-density", "map", "lit-part"):
+    succeed("render", *SCENE, "--light", light, "--debug", view, "-o", f"{view}.png", "--visibility", "debug.png")
+    changed = sum(a != b for rows in zip(Image("maps.png").rows, Image(f"{view}.png").rows) for a, b in zip(*rows))
+    check(f"{view}: 50 or more of {changed} pixels are drawn over", changed >= 50, True)
+    check(f"{view}: mask in the shadow", mask_at(Image("debug-0.png"), 0, 1), 0)
+SUN = [*SCENE, "--light", "directional:0,1,-1"]
+succeed("render", *SUN, "-o", "one-map.png")
+succeed("render", *SUN, "--cascades", 4, "-o", "four-maps.png")
+unlike = sum(a != b for rows in zip(Image("one-map.png").rows, Image("four-maps.png").rows) for a, b in zip(*rows))
+check(f"--cascades 4: at most 20 of {unlike} pixels are unlike one map's", unlike <= 20, True)
+
 # JSON names each light's own technique, and has the frame's times.
 succeed("render", *SCENE, "-o", "timed.png", "--json", "timed.json", "--frames", 2,
         "--light", light, "--light", "directional:1,0,-1@technique=ray-cast")  # fmt: skip

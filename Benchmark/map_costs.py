@@ -1,0 +1,230 @@
+"""Time of techniques by maps: what cascades, cubes and several lights cost over what they are held against.
+
+    PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a /usr/bin/python3 Benchmark/map_costs.py
+    ... Benchmark/map_costs.py --scenes terrain --rounds 60 --cascades 2,4,8
+
+Software OpenGL, 1024x768. Each comparison is of ways to draw one scene, of which the first is what the others are held
+against. All of them are timed in every round, so that they share the machine's moods; printed are medians of the
+rounds' ratios, and the mean, in which the frames count in which a map is drawn. Static: the light stands and the camera
+moves a little, as it does when someone looks about; every way sees the same views. Moving: the light moves, too.
+A further comparison is a function that yields a scene, with its name, and the ways, in SCENES.
+"""
+import argparse
+import math
+import statistics
+from typing import Any, NamedTuple
+
+import vtkshadows
+from ground_floor import (
+    directional_light,
+    floor_actor,
+    mesh_actor,
+    place_camera,
+    spot_light,
+    still_life,
+    switched_on,
+    timed,
+)
+from terrain import look, terrain
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
+
+WARM_UP = 4  # rounds: a process's first frames are slower than later ones, whatever they show
+
+
+class Way(NamedTuple):
+    """A technique, or none, with its settings; light: instead of the scene's own."""
+
+    technique: str = "depth-map"
+    settings: dict = {}
+    setup: Any = None  # called with the vtkShadowPass
+    light: Any = None
+
+
+class Scene(NamedTuple):
+    name: str
+    renderer: Any
+    move: Any  # called with the number of the round: the camera's place in it
+    ways: dict
+
+
+def lamp(position):
+    light = vtkLight()
+    light.PositionalOn()
+    light.SetConeAngle(180)
+    light.SetPosition(position)
+    return light
+
+
+def around(renderer):
+    """A camera that sways about its subject."""
+    camera = renderer.GetActiveCamera()
+    place = camera.GetPosition()
+
+    def move(i):
+        camera.SetPosition(place)
+        camera.Azimuth(3 * math.sin(0.4 * i))
+        camera.OrthogonalizeViewUp()
+
+    return move
+
+
+def terrain_scenes(options):
+    """Cascades over one map, of as many texels each; looking about and walking."""
+    for name in ("looking about", "walking"):
+        renderer, eye = terrain(4, 15)
+
+        def move(i, name=name, eye=eye, renderer=renderer):
+            turn = 60 + (10 * math.sin(0.15 * i) if name == "looking about" else 0)
+            step = 1.5 * i if name == "walking" else 0
+            place = (eye[0] + 0.5 * step, eye[1] + 0.87 * step, eye[2])
+            look(renderer, place, turn)
+
+        ways = {"one map": Way(settings={"resolution": 1024, "cascades": 1})}
+        for count in options.cascades:
+            ways[f"{count} cascades"] = Way(settings={"resolution": 1024, "cascades": count})
+        yield Scene(f"terrain, {name}", renderer, move, ways)
+
+
+def room_scenes(options):
+    """Six maps of a lamp in a closed room over one of a spot; and a lamp amid things over one outside."""
+    renderer = vtkRenderer()
+    walls = vtkCubeSource()
+    walls.SetBounds(-3, 3, -3, 3, 0, 4)
+    renderer.AddActor(mesh_actor(walls, (0.8, 0.8, 0.75)))
+    for place, radius in (((1.5, 1.5, 1), 0.6), ((-1.6, 0.2, 2), 0.4), ((0.3, 1.8, 3), 0.3)):
+        ball = vtkSphereSource()
+        ball.SetCenter(place)
+        ball.SetRadius(radius)
+        ball.SetThetaResolution(64)
+        ball.SetPhiResolution(64)
+        renderer.AddActor(mesh_actor(ball, (0.8, 0.5, 0.3)))
+    place_camera(renderer, (0, -2.8, 1.5), (0, 3, 1.5), 80)
+    renderer.AddLight(lamp((0.2, 0.3, 2.1)))
+    ways = {
+        "one map": Way(light=spot_light((0.2, 0.3, 3.6), (0.2, 0.3, 0), 78)),
+        "cube": Way(light=lamp((0.2, 0.3, 2.1))),
+    }
+    yield Scene("closed room", renderer, around(renderer), ways)
+
+
+def lights_scenes(options):
+    """Eight spots with shadows over the same eight without."""
+    renderer = still_life()
+    renderer.RemoveAllLights()
+    for i in range(8):
+        a = 0.25 * math.pi * i
+        spot = spot_light((4 * math.cos(a), 4 * math.sin(a), 6), (0, 0, 0.4), 32)
+        spot.SetIntensity(0.2)
+        renderer.AddLight(spot)
+    ways = {"without shadows": Way("none"), "depth-map": Way()}
+    yield Scene("still life, 8 spots", renderer, around(renderer), ways)
+
+
+def confined_scenes(options):
+    """A part of a wide scene: the view of a light confined to what is seen, over the whole."""
+    renderer = vtkRenderer()
+    for i in range(400):
+        ball = vtkSphereSource()
+        ball.SetCenter(9 * (i % 20 - 9.6), 9 * (i // 20 - 9.6), 1)
+        ball.SetRadius(0.9)
+        renderer.AddActor(mesh_actor(ball, (0.8, 0.5, 0.3)))
+    renderer.AddActor(floor_actor(100, 0))
+    place_camera(renderer, (3, -14, 6), (0, 0, 0.5))
+    renderer.AddLight(directional_light((-0.5, 0.6, -1)))
+    ways = {
+        "whole": Way(setup=lambda shadows: shadows.GetDepthShadowMapPass().ConfineToViewOff()),
+        "confined": Way(setup=lambda shadows: shadows.GetDepthShadowMapPass().ConfineToViewOn()),
+    }
+    yield Scene("400 balls", renderer, around(renderer), ways)
+
+
+SCENES = {
+    "terrain": terrain_scenes,
+    "room": room_scenes,
+    "lights": lights_scenes,
+    "confined": confined_scenes,
+}
+
+
+def prepared(renderer, way):
+    """A vtkShadowPass of its own, so that each way keeps its maps."""
+    renderer.SetPass(None)
+    shadows = vtkshadows.enable(renderer, way.technique, **way.settings)
+    if way.setup:
+        way.setup(shadows)
+    renderer.SetPass(None)
+    return shadows
+
+
+def show(renderer, way, shadows):
+    renderer.SetPass(None if way.technique == "none" else shadows)
+    if way.light:
+        renderer.RemoveAllLights()
+        renderer.AddLight(way.light)
+
+
+def shift_lights(renderer, i):
+    for light in switched_on(renderer):
+        x, y, z = light.GetPosition()
+        light.SetPosition(x * (1.001 if i % 2 else 1 / 1.001), y, z)
+
+
+def ratios(times):
+    first = next(iter(times.values()))
+    medians = [statistics.median(a / b for a, b in zip(own, first)) for own in times.values()]
+    means = [statistics.mean(own) / statistics.mean(first) for own in times.values()]
+    return medians, means
+
+
+def timed_in_turn(window, scene, passes, rounds, is_moving):
+    """Frame times of every way, by half steps of the camera, of which the second is timed: the first frame of a pass
+    looks shaders up."""
+    times = {name: [] for name in passes}
+    for i in range(WARM_UP + rounds):
+        for name, way in scene.ways.items():
+            show(scene.renderer, way, passes[name])
+            scene.move(i)
+            window.Render()
+            scene.move(i + 0.5)
+            if is_moving:
+                shift_lights(scene.renderer, i)
+            seconds = timed(window)
+            if i >= WARM_UP:
+                times[name].append(seconds)
+    return times
+
+
+def compare(window, scene, rounds):
+    window.AddRenderer(scene.renderer)
+    passes = {name: prepared(scene.renderer, way) for name, way in scene.ways.items()}
+    static = timed_in_turn(window, scene, passes, rounds, False)
+    moving = timed_in_turn(window, scene, passes, rounds, True)
+    for name, still, still_mean, moved in zip(passes, *ratios(static), ratios(moving)[0]):
+        print(
+            f"| {scene.name} | {name} | {statistics.median(static[name]):.1f} "
+            f"| {still:.2f} | {still_mean:.2f} | {moved:.2f} |",
+            flush=True,
+        )
+    window.RemoveRenderer(scene.renderer)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--rounds", type=int, default=30)
+    parser.add_argument("--scenes", default=",".join(SCENES), help=f"of {', '.join(SCENES)}")
+    parser.add_argument("--cascades", default="4", help="numbers of cascades, 1 to 8")
+    options = parser.parse_args()
+    options.cascades = [int(count) for count in options.cascades.split(",")]
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(1024, 768)
+    print("| scene | way | static ms | static | static, of the means | moving |\n|---|---|---|---|---|---|")
+    for name in options.scenes.split(","):
+        for scene in SCENES[name](options):
+            compare(window, scene, options.rounds)
+
+
+if __name__ == "__main__":
+    main()

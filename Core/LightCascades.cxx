@@ -1,0 +1,370 @@
+#include "LightCascades.h"
+
+#include "ShadowReach.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vtkshadows
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// A cascade is larger than what the eye sees by this share: how far the eye may go or turn before
+// the map is drawn again, against how fine its texels are.
+constexpr double GuardBand = 0.15;
+
+// Texels are worth a map of their own if they are finer by this factor.
+constexpr double WorthwhileGain = 1.5;
+
+// What rounding changes in the size of a texel, and far less than a texel over a map.
+constexpr double SameTexel = 1.0e-9;
+
+// Fewer texels than these are all margin.
+constexpr double FewestTexels = 8.0;
+
+// The sides of a confined view lie on a grid of this many steps.
+constexpr double ConfinementSteps = 16.0;
+
+// Bounds of a box along the light's axes; z is against the light's way.
+struct LightBounds
+{
+  glm::dvec3 low{ Infinity }, high{ -Infinity };
+};
+
+LightBounds BoundsIn(const glm::dmat3& lightFromWorld, const BoxCorners& corners)
+{
+  LightBounds bounds;
+  for (const glm::dvec3& corner : corners)
+  {
+    const glm::dvec3 p = lightFromWorld * corner;
+    bounds.low = glm::min(bounds.low, p);
+    bounds.high = glm::max(bounds.high, p);
+  }
+  return bounds;
+}
+
+// The eye's place, the axis of the narrowest cone about what it sees, and half of that cone's
+// angle.
+struct Cone
+{
+  glm::dvec3 tipWC{ 0.0 };
+  glm::dvec3 axisWC{ 0.0, 0.0, -1.0 };
+  double angle = 0.0;
+  double nearest = 0.0; // distance of the near plane
+};
+
+Cone ConeOf(const CascadeEye& eye)
+{
+  const glm::dmat4 worldFromView = glm::inverse(eye.viewFromWorld);
+  const glm::dmat4 viewFromClip = glm::inverse(eye.clipFromView);
+  Cone cone;
+  cone.tipWC = glm::dvec3(worldFromView[3]) / worldFromView[3].w;
+  glm::dvec3 rays[4], sum(0.0);
+  cone.nearest = Infinity;
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec4 corner =
+      viewFromClip * glm::dvec4(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, -1.0, 1.0);
+    const glm::dvec3 cornerVC = glm::dvec3(corner) / corner.w;
+    rays[i] = glm::normalize(glm::dmat3(worldFromView) * cornerVC);
+    sum += rays[i];
+    const glm::dvec3 axisPointVC(0.0, 0.0, cornerVC.z);
+    cone.nearest = std::min(cone.nearest, glm::length(glm::dmat3(worldFromView) * axisPointVC));
+  }
+  cone.axisWC = glm::normalize(sum);
+  for (const glm::dvec3& ray : rays)
+  {
+    cone.angle = std::max(cone.angle, std::acos(glm::clamp(glm::dot(ray, cone.axisWC), -1.0, 1.0)));
+  }
+  return cone;
+}
+
+// Of the boxes, of any orientation: the nearest and farthest distance from `p`; of the nearest, a
+// lower bound.
+void DistancesFrom(
+  const glm::dvec3& p, const std::vector<BoxCorners>& boxes, double& nearest, double& farthest)
+{
+  nearest = Infinity;
+  farthest = 0.0;
+  for (const BoxCorners& corners : boxes)
+  {
+    Box box;
+    box.Add(corners);
+    nearest = std::min(nearest, glm::distance(p, glm::clamp(p, box.minimum, box.maximum)));
+    for (const glm::dvec3& corner : corners)
+    {
+      farthest = std::max(farthest, glm::distance(p, corner));
+    }
+  }
+}
+
+// Of steps by two and by its root: what is made from them stays while the eye moves a little. No
+// step is a round number, which rounding would put now on this side of it and now on that.
+constexpr double StepOffset = 0.4;
+double StepBelow(double x)
+{
+  return std::exp2(std::floor(std::log2(x) - StepOffset) + StepOffset);
+}
+double HalfStepAbove(double x)
+{
+  return std::exp2(0.5 * std::ceil(2.0 * (std::log2(x) - StepOffset)) + StepOffset);
+}
+
+// To a multiple of 2^-24 of itself or less, so that nearly equal eyes mostly have equal texels.
+double Rounded(double x)
+{
+  const double unit = std::ldexp(StepBelow(x), -24);
+  return std::ceil(x / unit) * unit;
+}
+
+Cascade WholeScene(const LightView& whole, std::size_t casters, double texel)
+{
+  Cascade cascade;
+  cascade.view = whole;
+  // Ground under a low sun is foreshortened along the shorter side.
+  cascade.view.fillsMap = true;
+  cascade.texel = texel;
+  cascade.casters.resize(casters);
+  std::iota(cascade.casters.begin(), cascade.casters.end(), std::size_t(0));
+  return cascade;
+}
+
+// The view of `cascade`, whose texels and centre are known, and who casts in it. Casters before it
+// have their depths, those beyond it cast on nothing in it.
+void FitBox(Cascade& cascade, const glm::dmat3& lightFromWorld,
+  const std::vector<LightBounds>& casters, int resolution)
+{
+  const glm::dvec3 centre = cascade.centre * cascade.texel;
+  const double half = 0.5 * resolution * cascade.texel;
+  const double farthest = half - centre.z; // along the light
+  double nearDepth = Infinity, farDepth = -Infinity;
+  cascade.casters.clear();
+  for (std::size_t i = 0; i < casters.size(); ++i)
+  {
+    const LightBounds& box = casters[i];
+    if (box.high.x >= centre.x - half && box.low.x <= centre.x + half &&
+      box.high.y >= centre.y - half && box.low.y <= centre.y + half && -box.high.z <= farthest)
+    {
+      cascade.casters.push_back(i);
+      nearDepth = std::min(nearDepth, -box.high.z);
+      farDepth = std::max(farDepth, -box.low.z);
+    }
+  }
+  farDepth = std::min(farDepth, farthest);
+  const double slack = half / 1024.0; // so that a flat caster has a depth range, too
+  cascade.view.parallel = true;
+  cascade.view.viewFromWorld = glm::dmat4(lightFromWorld);
+  cascade.view.viewFromWorld[3] = glm::dvec4(-centre.x, -centre.y, nearDepth - slack, 1.0);
+  cascade.view.clipFromView =
+    glm::ortho(-half, half, -half, half, 0.0, farDepth - nearDepth + 2.0 * slack);
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> CascadeReaches(
+  int count, double nearest, double farthest, CascadeScheme scheme, double weight)
+{
+  const double logarithmic = scheme == CascadeScheme::Logarithmic ? 1.0
+    : scheme == CascadeScheme::Uniform                            ? 0.0
+                                                                  : weight;
+  std::vector<double> reaches;
+  for (int i = 1; i <= count; ++i)
+  {
+    const double share = static_cast<double>(i) / count;
+    reaches.push_back(logarithmic * nearest * std::pow(farthest / nearest, share) +
+      (1.0 - logarithmic) * (nearest + share * (farthest - nearest)));
+  }
+  return reaches;
+}
+
+//------------------------------------------------------------------------------
+// The ball passes through the rims of the slice's two ends, if its own middle is not nearer than
+// the middle of the far rim.
+SliceBall BallOfSlice(double nearest, double farthest, double angle)
+{
+  const double cosine = std::cos(angle);
+  SliceBall ball;
+  ball.centre = std::min(0.5 * (nearest + farthest) / cosine, farthest * cosine);
+  ball.radius = std::sqrt(std::max(
+    farthest * farthest + ball.centre * ball.centre - 2.0 * farthest * ball.centre * cosine, 0.0));
+  return ball;
+}
+
+//------------------------------------------------------------------------------
+LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
+  const std::vector<BoxCorners>& casters, const std::vector<BoxCorners>& receivers,
+  const CascadeEye& eye, const CascadeSettings& settings, int resolution, double margin,
+  const LightCascades* before)
+{
+  LightCascades result;
+  result.lightFromWorld = glm::dmat3(whole.viewFromWorld);
+  const double wholeTexel =
+    2.0 / (std::min(whole.clipFromView[0][0], whole.clipFromView[1][1]) * resolution);
+  const bool isParallel = eye.clipFromView[2][3] == 0.0;
+  const double texels = resolution - 2.0 * margin;
+  const Cone cone = isParallel ? Cone() : ConeOf(eye);
+  result.eyeWC = cone.tipWC;
+  const auto onlyWhole = [&]() -> LightCascades&
+  {
+    result.cascades = { WholeScene(whole, casters.size(), wholeTexel) };
+    if (isParallel && ConfineView(result.cascades[0].view, receivers, eye, margin / resolution))
+    {
+      result.cascades[0].casters = CastersIn(result.cascades[0].view, casters);
+    }
+    return result;
+  };
+  if (light.kind != LightKind::Directional || isParallel || texels < FewestTexels ||
+    !(cone.angle < 1.5))
+  {
+    return onlyWhole();
+  }
+
+  // As far as cascades pay: beyond that the view of the whole scene has finer texels, or there is
+  // nothing.
+  const auto texelOf = [&](double from, double to)
+  { return 2.0 * (1.0 + GuardBand) * BallOfSlice(from, to, cone.angle).radius / texels; };
+  double nearest = 0.0, farthest = 0.0;
+  DistancesFrom(cone.tipWC, receivers, nearest, farthest);
+  const double end = HalfStepAbove(farthest);
+  const double breakEven = wholeTexel / texelOf(0.0, 1.0);
+  const bool endsInWhole = breakEven < WorthwhileGain * end;
+  const double last = endsInWhole ? std::min(breakEven, end) : end;
+  nearest = std::max({ nearest, cone.nearest, 1.0e-9 * last });
+  if (!(last > 0.0) || !std::isfinite(last) || (endsInWhole && last < WorthwhileGain * nearest))
+  {
+    return onlyWhole();
+  }
+  const int useful = static_cast<int>(std::ceil(
+    std::min(std::log(last / std::min(nearest, last)) / std::log(WorthwhileGain), 1.0e3)));
+  const int count = std::clamp(useful, 1, settings.count);
+  if (count == 1 && endsInWhole)
+  {
+    return onlyWhole();
+  }
+
+  std::vector<LightBounds> bounds;
+  for (const BoxCorners& caster : casters)
+  {
+    bounds.push_back(BoundsIn(result.lightFromWorld, caster));
+  }
+  const std::vector<double> reaches = CascadeReaches(
+    count, std::min(StepBelow(nearest), last), last, settings.scheme, settings.weight);
+  const glm::dvec3 tip = result.lightFromWorld * cone.tipWC;
+  const glm::dvec3 axis = result.lightFromWorld * cone.axisWC;
+  for (int i = 0; i < count; ++i)
+  {
+    if (i == count - 1 && endsInWhole)
+    {
+      result.cascades.push_back(WholeScene(whole, casters.size(), wholeTexel));
+      break;
+    }
+    const double from = i == 0 ? 0.0 : reaches[i - 1] * (1.0 - settings.blend);
+    const SliceBall ball = BallOfSlice(from, reaches[i], cone.angle);
+    Cascade cascade;
+    cascade.followsEye = true;
+    cascade.texel = Rounded(texelOf(from, reaches[i]));
+    cascade.reach = i == count - 1 ? Infinity : reaches[i];
+    const glm::dvec3 wanted = (tip + ball.centre * axis) / cascade.texel;
+    cascade.centre = glm::floor(wanted + 0.5);
+    const Cascade* kept = before && before->lightFromWorld == result.lightFromWorld &&
+        static_cast<std::size_t>(i) < before->cascades.size()
+      ? &before->cascades[i]
+      : nullptr;
+    if (kept && kept->followsEye && std::abs(kept->texel / cascade.texel - 1.0) < SameTexel)
+    {
+      cascade.texel = kept->texel;
+      const glm::dvec3 away = glm::abs(wanted - kept->centre) + ball.radius / cascade.texel;
+      if (std::max({ away.x, away.y, away.z }) <= 0.5 * texels)
+      {
+        cascade.centre = kept->centre;
+      }
+    }
+    FitBox(cascade, result.lightFromWorld, bounds, resolution);
+    result.cascades.push_back(cascade);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool ConfineView(
+  LightView& view, const std::vector<BoxCorners>& receivers, const CascadeEye& eye, double margin)
+{
+  const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
+  glm::dvec2 low(1.0), high(-1.0);
+  const std::vector<glm::dvec3> seen = SeenCorners(eye.clipFromView * eye.viewFromWorld, receivers);
+  for (const glm::dvec3& p : seen)
+  {
+    const glm::dvec4 clip = clipFromWorld * glm::dvec4(p, 1.0);
+    if (!(clip.w > 0.0))
+    {
+      return false; // beside or behind the light, which tells nothing of its sides
+    }
+    low = glm::min(low, glm::dvec2(clip) / clip.w);
+    high = glm::max(high, glm::dvec2(clip) / clip.w);
+  }
+  // Shares of the view's sides, 0 to 1, the margin's texels among them.
+  const double room = 2.0 * margin;
+  low = glm::floor(ConfinementSteps * (0.5 * glm::max(low, -1.0) + 0.5 - room)) / ConfinementSteps;
+  high = glm::ceil(ConfinementSteps * (0.5 * glm::min(high, 1.0) + 0.5 + room)) / ConfinementSteps;
+  low = glm::max(low, 0.0);
+  high = glm::min(high, 1.0);
+  if (seen.empty() || low.x >= high.x || low.y >= high.y)
+  {
+    return false;
+  }
+  // Texels are square: the longer side tells their size.
+  const glm::dvec2 sides(1.0 / view.clipFromView[0][0], 1.0 / view.clipFromView[1][1]);
+  const glm::dvec2 confined = sides * (high - low);
+  if (std::max(confined.x, confined.y) >= std::max(sides.x, sides.y))
+  {
+    return false;
+  }
+  const glm::dvec2 scale = 1.0 / (high - low);
+  const glm::dvec2 middle = low + high - 1.0; // -1 to 1
+  glm::dmat4 part(1.0);
+  part[0][0] = scale.x;
+  part[1][1] = scale.y;
+  part[3][0] = -scale.x * middle.x;
+  part[3][1] = -scale.y * middle.y;
+  view.clipFromView = part * view.clipFromView;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::size_t> CastersIn(const LightView& view, const std::vector<BoxCorners>& casters)
+{
+  const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < casters.size(); ++i)
+  {
+    // Beyond one side with all its corners: -x, x, -y, y, z.
+    bool isBeyond[5] = { true, true, true, true, true };
+    for (const glm::dvec3& corner : casters[i])
+    {
+      const glm::dvec4 p = clipFromWorld * glm::dvec4(corner, 1.0);
+      isBeyond[0] = isBeyond[0] && p.x < -p.w;
+      isBeyond[1] = isBeyond[1] && p.x > p.w;
+      isBeyond[2] = isBeyond[2] && p.y < -p.w;
+      isBeyond[3] = isBeyond[3] && p.y > p.w;
+      isBeyond[4] = isBeyond[4] && p.z > p.w;
+    }
+    if (std::none_of(std::begin(isBeyond), std::end(isBeyond), [](bool beyond) { return beyond; }))
+    {
+      inside.push_back(i);
+    }
+  }
+  return inside;
+}
+
+}
