@@ -3,6 +3,7 @@
 #include "vtkMapShadowPassLookup.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowText.h"
 #include "vtkShadowTextureArray.h"
 
 #include "vtkShaderProgram.h"
@@ -19,16 +20,6 @@ constexpr int PaddingTexels = 16;
 int LayerWidth(int resolution)
 {
   return std::min(resolution + PaddingTexels, vtkShadowTextureArray::LargestSide());
-}
-
-std::string Replaced(std::string text, const std::string& name, const std::string& by)
-{
-  for (std::size_t at = text.find(name); at != std::string::npos;
-       at = text.find(name, at + by.size()))
-  {
-    text.replace(at, name.size(), by);
-  }
-  return text;
 }
 
 }
@@ -87,7 +78,7 @@ bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::
       this->DrawMap(frame, slot, view, views.WidthOf(view.View), views.HeightOf(view.View));
       ++this->NumberOfMapBuilds;
     });
-  if (views.UpdateLookups(this->GetLookupPrefix(), frame.ViewFromWorld))
+  if (views.UpdateLookups(this->GetLookupPrefix(), frame.ViewFromWorld, this->GetRiseTexels()))
   {
     this->LookupStamp.Modified();
   }
@@ -106,9 +97,9 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
   const int side = this->WithinDriver("Resolution", this->Resolution);
   const std::size_t cubes = this->Views->Faces().size() / 6;
   const std::string define = "#define " + this->GetMacroPrefix();
-  const std::string projection =
-    Replaced(Replaced(vtkMapShadowPassLookup, "shadowMap", this->GetLookupPrefix()), "SHADOW_MAP",
-      this->GetMacroPrefix());
+  const std::string projection = vtkShadowText::Replaced(
+    vtkShadowText::Replaced(vtkMapShadowPassLookup, "shadowMap", this->GetLookupPrefix()),
+    "SHADOW_MAP", this->GetMacroPrefix());
   return define + "_WIDTH " + std::to_string(LayerWidth(side)) + "\n" + define + "_HEIGHT " +
     std::to_string(side) + "\n" +
     (cubes > 0 ? define + "_CUBES " + std::to_string(cubes) + "\n" : "") +

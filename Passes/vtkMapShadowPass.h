@@ -72,6 +72,12 @@ protected:
    */
   virtual double GetMarginTexels() const { return 2.0; }
 
+  /**
+   * How far a surface may rise out of the receiver's plane beside it: what p is nearer to the light
+   * by, in texels' widths as depth.
+   */
+  virtual double GetRiseTexels() const { return 0.5; }
+
   ///@{
   /**
    * Room for `layers` maps of width x height texels; true if what was in them is lost.

@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,52 +23,14 @@ using FaceParameters = vtkShadowMapViews::FaceParameters;
 
 constexpr int NoLayer = vtkShadowMapView::NoLayer;
 
-constexpr double RiseTexels = 0.5;
-
-// From the clip space of a view to a map of width x height texels.
-glm::dmat4 MapFromClip(int width, int height)
-{
-  const glm::dvec3 half(0.5 * width, 0.5 * height, 0.5);
-  return glm::scale(glm::translate(glm::dmat4(1.0), half), half);
-}
-
-// What a receiver's depth is less by in a map of `width` texels, over w.
-//
-// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
-// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
-// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
-// eye's view coordinates, which are what floats get.
-//
-// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
-// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
-// that it is a constant here, too.
-double DepthSlack(const glm::dmat4& map, const LightView& view, const glm::dmat4& viewFromWorld,
-  int width, const std::vector<BoxCorners>& castersWC)
-{
-  double farthest = 0.0;
-  for (const BoxCorners& corners : castersWC)
-  {
-    for (const glm::dvec3& corner : corners)
-    {
-      farthest =
-        std::max(farthest, glm::length(glm::dvec3(viewFromWorld * glm::dvec4(corner, 1.0))));
-    }
-  }
-  const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
-  const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
-  const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
-  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
-  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
-    RiseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
-}
-
 // From the eye's view coordinates to a map of width x height texels, all in double.
 glm::dmat4 MapFromView(const LightView& view, const glm::dmat4& viewFromWorld, int width,
-  int height, const std::vector<BoxCorners>& castersWC)
+  int height, double riseTexels, const std::vector<BoxCorners>& castersWC)
 {
-  glm::dmat4 map = MapFromClip(width, height) * view.clipFromView *
+  glm::dmat4 map = vtkShadowMatrix::MapFromClip(width, height) * view.clipFromView *
     (view.viewFromWorld * glm::inverse(viewFromWorld));
-  map[3][2] -= DepthSlack(map, view, viewFromWorld, width, castersWC);
+  map[3][2] -=
+    vtkShadowMapViews::DepthSlack(map, view, viewFromWorld, width, riseTexels, castersWC);
   return map;
 }
 
@@ -78,11 +39,12 @@ constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
 // In a cube of which `unit` is 1.
 FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
-  int side, double unit, const std::vector<BoxCorners>& castersWC)
+  int side, double unit, double riseTexels, const std::vector<BoxCorners>& castersWC)
 {
-  const glm::dmat4 map = MapFromClip(side, side) * view.clipFromView;
-  const double slack = DepthSlack(
-    map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, viewFromWorld, side, castersWC);
+  const glm::dmat4 map = vtkShadowMatrix::MapFromClip(side, side) * view.clipFromView;
+  const double slack =
+    vtkShadowMapViews::DepthSlack(map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view,
+      viewFromWorld, side, riseTexels, castersWC);
   return { static_cast<float>(-map[2][2]), static_cast<float>((map[3][2] - slack) / unit),
     static_cast<float>(layer), static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
@@ -97,21 +59,10 @@ int TexelsOf(int resolution, double share)
 vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light& light,
   const std::vector<BoxCorners>& receivers, double margin)
 {
-  const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
   vtkShadowMapSlot slot;
   slot.Light = light.Ray;
   std::vector<std::size_t> owners; // of the casters, among the props
-  for (std::size_t i = 0; i < props.size(); ++i)
-  {
-    for (const vtkShadowScene::Piece& piece : props[i].Pieces)
-    {
-      if (props[i].Casts && !vtkshadows::CastsOnNothing(piece.PlaneWC, light.Ray, receivers))
-      {
-        slot.Casters.push_back(piece.CornersWC);
-        owners.push_back(i);
-      }
-    }
-  }
+  slot.Casters = vtkShadowMapViews::CastersOf(scene, light.Ray, receivers, owners);
 
   const vtkshadows::LightViews fitted =
     vtkshadows::FitLightViews(light.Ray, slot.Casters, receivers, margin);
@@ -134,6 +85,57 @@ vtkShadowMapSlot SlotOf(const vtkShadowScene& scene, const vtkShadowScene::Light
   return slot;
 }
 
+}
+
+//------------------------------------------------------------------------------
+// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
+// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
+// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
+// eye's view coordinates, which are what floats get.
+//
+// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
+// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
+// that it is a constant here, too.
+double vtkShadowMapViews::DepthSlack(const glm::dmat4& map, const LightView& view,
+  const glm::dmat4& viewFromWorld, int width, double riseTexels,
+  const std::vector<BoxCorners>& castersWC)
+{
+  double farthest = 0.0;
+  for (const BoxCorners& corners : castersWC)
+  {
+    for (const glm::dvec3& corner : corners)
+    {
+      farthest =
+        std::max(farthest, glm::length(glm::dvec3(viewFromWorld * glm::dvec4(corner, 1.0))));
+    }
+  }
+  const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
+  const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
+  const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
+  const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
+  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
+    riseTexels * std::abs(step) / (view.clipFromView[0][0] * width);
+}
+
+//------------------------------------------------------------------------------
+std::vector<BoxCorners> vtkShadowMapViews::CastersOf(const vtkShadowScene& scene,
+  const vtkshadows::ShadowLight& light, const std::vector<BoxCorners>& receivers,
+  std::vector<std::size_t>& owners)
+{
+  const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
+  std::vector<BoxCorners> casters;
+  for (std::size_t i = 0; i < props.size(); ++i)
+  {
+    for (const vtkShadowScene::Piece& piece : props[i].Pieces)
+    {
+      if (props[i].Casts && !vtkshadows::CastsOnNothing(piece.PlaneWC, light, receivers))
+      {
+        casters.push_back(piece.CornersWC);
+        owners.push_back(i);
+      }
+    }
+  }
+  return casters;
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +243,8 @@ int vtkShadowMapViews::LayerBefore(std::size_t slot, int face) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat4& viewFromWorld)
+bool vtkShadowMapViews::UpdateLookups(
+  const std::string& prefix, const glm::dmat4& viewFromWorld, double riseTexels)
 {
   std::vector<Lookup> lookups;
   this->Matrices.clear();
@@ -269,8 +272,8 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
       }
       for (const vtkShadowMapView& view : slot.Views)
       {
-        this->CubeFaces[6 * lookup.Index + view.Face] =
-          ParametersOf(view.View, viewFromWorld, view.Layer, this->Resolution, unit, slot.Casters);
+        this->CubeFaces[6 * lookup.Index + view.Face] = ParametersOf(
+          view.View, viewFromWorld, view.Layer, this->Resolution, unit, riseTexels, slot.Casters);
       }
       glm::dmat4 cube = slot.CubeFromWorld * glm::inverse(viewFromWorld) / unit;
       cube[3][3] = 0.0; // a direction, and not lit everywhere
@@ -280,8 +283,8 @@ bool vtkShadowMapViews::UpdateLookups(const std::string& prefix, const glm::dmat
     {
       const LightView& view = slot.Views.front().View;
       lookup.Index = slot.Views.front().Layer;
-      matrix = vtkShadowMatrix::ToFloats(
-        MapFromView(view, viewFromWorld, this->WidthOf(view), this->HeightOf(view), slot.Casters));
+      matrix = vtkShadowMatrix::ToFloats(MapFromView(
+        view, viewFromWorld, this->WidthOf(view), this->HeightOf(view), riseTexels, slot.Casters));
     }
     lookups.push_back(lookup);
     this->Matrices.push_back(matrix);

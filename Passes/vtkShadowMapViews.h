@@ -82,8 +82,19 @@ public:
   }
 
   // What the lookup is told of each slot, once its views have layers; true if other shaders are
-  // needed for it. `prefix`: of the lookup's functions.
-  bool UpdateLookups(const std::string& prefix, const glm::dmat4& viewFromWorld);
+  // needed for it. `prefix`: of the lookup's functions; `riseTexels`: see DepthSlack.
+  bool UpdateLookups(const std::string& prefix, const glm::dmat4& viewFromWorld, double riseTexels);
+
+  // What can cast on any of the receivers, and which of the scene's props each is of.
+  static std::vector<vtkshadows::BoxCorners> CastersOf(const vtkShadowScene& scene,
+    const vtkshadows::ShadowLight& light, const std::vector<vtkshadows::BoxCorners>& receivers,
+    std::vector<std::size_t>& owners);
+
+  // What a receiver's depth is less by in a map of `width` texels, over w: a bound of its rounding,
+  // and the depth of `riseTexels` texels' width. `map`: to it from the eye's view coordinates.
+  static double DepthSlack(const glm::dmat4& map, const vtkshadows::LightView& view,
+    const glm::dmat4& viewFromWorld, int width, double riseTexels,
+    const std::vector<vtkshadows::BoxCorners>& castersWC);
   const std::string& Function(int slot) const { return this->Lookups[slot].Function; }
   int Index(int slot) const { return this->Lookups[slot].Index; }
   const float* Matrix(int slot) const { return this->Matrices[slot].data(); }

@@ -4,6 +4,7 @@
 
 #include "vtkMatrix4x4.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <array>
@@ -33,6 +34,13 @@ inline void ToVtk(const glm::dmat4& m, vtkMatrix4x4* out)
       out->SetElement(row, column, m[column][row]);
     }
   }
+}
+
+// From the clip space of a view to a map of width x height texels, its depth from 0 to 1.
+inline glm::dmat4 MapFromClip(int width, int height)
+{
+  const glm::dvec3 half(0.5 * width, 0.5 * height, 0.5);
+  return glm::scale(glm::translate(glm::dmat4(1.0), half), half);
 }
 
 // As GLSL takes it, column by column.
