@@ -44,6 +44,12 @@ constexpr double BesideKernel = 2.0;
 // The widest kernel of a soft shadow on a face of a cube, as a share of the face.
 constexpr double KernelShare = 1.0 / 16.0;
 
+// Far beyond all depths, and a float in the shader.
+constexpr double LargestBias = 1e9;
+
+// What a map that repeats or clamps has of the fitted one, along each axis.
+constexpr double TightShare = 0.75;
+
 // What a format can tell apart, as depth.
 double StepOf(int depthBits)
 {
@@ -153,6 +159,14 @@ std::string vtkDepthShadowMapPass::GetFilterName(int filter)
   return filter >= 0 && filter < GetNumberOfFilters() ? FilterNames[filter] : std::string();
 }
 
+bool vtkDepthShadowMapPass::HasDepthBits(const std::string& filter, int bits)
+{
+  // A ramp is no depth to the driver, and its steps leave nothing to blur.
+  const bool isOfDepths = filter == FilterNames[HARDWARE] || filter == FilterNames[SAMPLE_LIGHTS] ||
+    filter == FilterNames[VARIANCE] || filter == FilterNames[EXPONENTIAL];
+  return bits == 16 || bits == 24 || bits == 32 || (bits == 8 && !isOfDepths);
+}
+
 //------------------------------------------------------------------------------
 // What maps hold may depend on any setting: they are drawn again.
 template <typename T>
@@ -237,7 +251,7 @@ void vtkDepthShadowMapPass::SetFilterTaps(int taps)
 
 void vtkDepthShadowMapPass::SetLightSamples(int samples)
 {
-  if (!this->Refuses("LightSamples", samples, 1, 256, this->LightSamples))
+  if (!this->Refuses("LightSamples", samples, 1, int(MostLightSamples), this->LightSamples))
   {
     this->Change(this->LightSamples, samples);
   }
@@ -291,8 +305,7 @@ void vtkDepthShadowMapPass::SetBiasMode(int mode)
 
 void vtkDepthShadowMapPass::SetConstantBias(double steps)
 {
-  const double largest = std::numeric_limits<double>::max();
-  if (!this->Refuses("ConstantBias", steps, -largest, largest, this->ConstantBias))
+  if (!this->Refuses("ConstantBias", steps, -LargestBias, LargestBias, this->ConstantBias))
   {
     this->Change(this->ConstantBias, steps);
   }
@@ -300,8 +313,7 @@ void vtkDepthShadowMapPass::SetConstantBias(double steps)
 
 void vtkDepthShadowMapPass::SetSlopeBias(double factor)
 {
-  const double largest = std::numeric_limits<double>::max();
-  if (!this->Refuses("SlopeBias", factor, -largest, largest, this->SlopeBias))
+  if (!this->Refuses("SlopeBias", factor, -LargestBias, LargestBias, this->SlopeBias))
   {
     this->Change(this->SlopeBias, factor);
   }
@@ -339,14 +351,13 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
   const vtkShadowFrame& frame, const std::vector<int>& lights)
 {
   Internals& my = *this->Internal;
-  const bool needsDepths = this->Filter == HARDWARE || this->Filter == SAMPLE_LIGHTS ||
-    this->Filter == VARIANCE || this->Filter == EXPONENTIAL;
+  const bool hasBits = HasDepthBits(GetFilterName(this->Filter), this->DepthBits);
   this->WarnOnce(&this->DepthBits,
-    needsDepths && this->DepthBits == 8 ? "Filter \"" + GetFilterName(this->Filter) +
-        "\" has no maps of 8 DepthBits: lights are lit. "
-        "Set 16, 24 or 32, or another filter."
-                                        : std::string());
-  if (needsDepths && this->DepthBits == 8)
+    hasBits ? std::string()
+            : "Filter \"" + GetFilterName(this->Filter) + "\" has no maps of " +
+        std::to_string(this->DepthBits) +
+        " DepthBits: lights are lit. Set 16, 24 or 32, or another filter.");
+  if (!hasBits)
   {
     return false;
   }
@@ -387,10 +398,11 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
       const float reach = static_cast<float>(isAlone ? this->Resolution : my.SoftTexels);
       my.Views[view.Layer] = { static_cast<float>(PenumbraOf(view.View, slot.Light.radius, width)),
         reach, static_cast<float>(NearOverFar(view.View)), 0.0f };
-      const float margin = static_cast<float>(this->GetMarginTexels());
+      const float spare = static_cast<float>(0.5 - 0.5 * TightShare);
       if (isAlone)
       {
-        my.Sides[view.Layer] = { margin, margin, width - margin, height - margin };
+        my.Sides[view.Layer] = { spare * width, spare * height, (1.0f - spare) * width,
+          (1.0f - spare) * height };
       }
     }
   }

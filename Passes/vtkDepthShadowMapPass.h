@@ -89,6 +89,11 @@ public:
   static int GetNumberOfFilters();
   ///@}
 
+  /**
+   * Whether a filter, by its name, has maps of so many DepthBits.
+   */
+  static bool HasDepthBits(const std::string& filter, int bits);
+
   ///@{
   /**
    * DISC, VARIANCE, EXPONENTIAL: radius of the kernel in texels, 0.5 to 64 (default 3); of the
@@ -110,10 +115,11 @@ public:
   ///@{
   /**
    * SAMPLE_LIGHTS: lights on the disc of a light with a radius, 1 to 256 (default 64), and texels
-   * on the longer side of each one's maps, 1 or more (default 512; above the driver's limit as
+   * on the longer side of each one's maps, 1 or more (default 1024; above the driver's limit as
    * Resolution). Another value is an error and changes nothing. A light amid its casters has up to
    * six maps a sample.
    */
+  static constexpr int MostLightSamples = 256;
   void SetLightSamples(int samples);
   vtkGetMacro(LightSamples, int);
   void SetSampleResolution(int resolution);
@@ -174,9 +180,10 @@ public:
   ///@{
   /**
    * What lies beyond the map: LIT_BEYOND (default), or, to show what goes wrong: the map again
-   * (REPEAT_BEYOND), or its outermost texels drawn out to bars (CLAMP_BEYOND). The map's sides are
-   * then those of what it was fitted to, without the margin; cubes have none. Another value is an
-   * error and changes nothing.
+   * (REPEAT_BEYOND), or its outermost texels drawn out to bars (CLAMP_BEYOND). Nothing that casts
+   * lies beyond a fitted map: then it is the middle three quarters of it, along each side, as
+   * though it had been placed by hand, too tightly. Lights with several maps stay lit beyond.
+   * Another value is an error and changes nothing.
    */
   enum BeyondType
   {
@@ -220,7 +227,7 @@ protected:
   double FilterRadius = 3.0;
   int FilterTaps = 32;
   int LightSamples = 64;
-  int SampleResolution = 512;
+  int SampleResolution = 1024;
   double LightBleedingReduction = 0.2;
   double ExponentialConstant = 80.0;
   int DepthBits = 32;

@@ -110,8 +110,9 @@ public:
   ///@{
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
-   * for a directional light the tangent of its half-angle (the sun: 0.00465). "ray-cast" and
-   * "stencil-volume" soften by it; "depth-map" casts hard shadows whatever the radius.
+   * for a directional light the tangent of its half-angle (the sun: 0.00465). "planar",
+   * "stencil-volume" and "ray-cast" soften by it; "depth-map" by its filters "soft" and
+   * "sample-lights", and else casts hard shadows whatever the radius.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;

@@ -18,6 +18,8 @@
 #include <vtkShadowPass.h>
 #include <vtkStencilShadowVolumePass.h>
 
+#include <algorithm>
+
 namespace vtkshadows
 {
 namespace
@@ -57,6 +59,8 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
 
   this->SetMapResolution(settings.resolution);
   this->SetLightSamples(settings.lightSamples);
+  this->shadows->GetDepthShadowMapPass()->SetFilter(settings.filter);
+  this->shadows->GetDepthShadowMapPass()->SetDepthBits(settings.depthBits);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
@@ -101,6 +105,8 @@ void Stage::SetLightSamples(std::optional<int> samples)
   {
     return;
   }
+  this->shadows->GetDepthShadowMapPass()->SetLightSamples(
+    std::min(*samples, vtkDepthShadowMapPass::MostLightSamples));
   this->shadows->GetPlanarShadowPass()->SetLightSamples(*samples);
   this->shadows->GetStencilShadowVolumePass()->SetLightSamples(*samples);
   if (vtkRayCastShadowPass* rayCast = this->shadows->GetRayCastShadowPass())

@@ -21,7 +21,7 @@ bool shadowDepthMapHolds(vec2 p)
 }
 
 #if defined(SHADOW_DEPTH_MAP_REPEATS) || defined(SHADOW_DEPTH_MAP_CLAMPS)
-// Of each layer, low and high corner of what it was fitted to; none if high is not above low.
+// Of each layer, low and high corner of its sides; none if high is not above low.
 uniform vec4 shadowDepthMapSides[SHADOW_DEPTH_MAP_LAYERS];
 
 vec2 shadowDepthMapWrapped(int layer, vec2 p)

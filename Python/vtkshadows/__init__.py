@@ -62,6 +62,7 @@ from .vtkShadowsFilters import (
     vtkShadowVolumeFilter,
 )
 from .vtkShadowsPasses import (
+    vtkDepthShadowMapPass,
     vtkPlanarShadowPass,
     vtkShadowErrorMeasure,
     vtkShadowFloor,
@@ -84,6 +85,7 @@ __all__ = [
     "techniques",
     "visibility",
     "volume_counts",
+    "vtkDepthShadowMapPass",
     "vtkPlanarShadowFilter",
     "vtkPlanarShadowPass",
     "vtkShadowErrorMeasure",
@@ -123,8 +125,20 @@ def enable(
         of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
         size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
     resolution : depth-map: texels on the longer side of each map, 1 or more (2048).
-    light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
-        4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
+    filter : depth-map: how a receiver is held against the map: "percentage-closer" (default), "none",
+        "hardware", "disc", "soft" (soft shadows of lights with a radius), "sample-lights" (the same, nearer
+        to the truth and slower), "variance" or "exponential"; see vtkDepthShadowMapPass::FilterType.
+    filter_radius : filters "disc", "variance" and "exponential": radius of the kernel in texels, 0.5 to 64
+        (3).
+    filter_taps : filters "disc" and "soft": taps of the kernel, 1 to 256 (32).
+    depth_bits : depth-map: bits of a map's depths: 32 (default), 24, 16 or 8.
+    bias : depth-map: "automatic" (default), or, to compare, (constant, slope) as glPolygonOffset has them:
+        steps of the map's format, and shares of the receiver's slope.
+    beyond : depth-map: what lies beyond the map: "lit" (default), or, to show what goes wrong, "repeat" or
+        "clamp".
+    light_samples : planar, stencil-volume, ray-cast and the filter "sample-lights" of depth-map: sample
+        lights for a light with a radius, 1 to 4096 (32 for stencil-volume, 64 for the others; of planar the
+        most that it takes; of depth-map 256 at most, whatever is given).
     variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
         "z-pass-capped" or "parity"; see vtkStencilShadowVolumePass::VariantType. The last three are
         for comparison: they are wrong in some views.
@@ -140,8 +154,8 @@ def enable(
         "offset-planes" or "plateaus"; see vtkPlanarShadowPass::SoftMethodType.
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
-    radius : 0 or more (0): size of every light that the renderer has now. planar, stencil-volume and
-        ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
+    radius : 0 or more (0): size of every light that the renderer has now. planar, stencil-volume,
+        ray-cast and the filters "soft" and "sample-lights" of depth-map soften by it. World units; for a directional light the tangent of its half-angle.
     debug_view : "none" (default), "volumes", "silhouette" or "counts": drawn over the frame, it explains
         the first light that casts, whose technique must be stencil-volume; another light by
         `shadows.SetDebugLight(light)`. Colours: see vtkShadowPass::SetDebugView.
@@ -668,7 +682,67 @@ def _set_resolution(shadows, renderer, value):
     shadows.GetDepthShadowMapPass().SetResolution(value)
 
 
+_FILTERS = {
+    vtkDepthShadowMapPass.GetFilterName(each): each
+    for each in range(vtkDepthShadowMapPass.GetNumberOfFilters())
+}
+
+
+def _set_filter(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetFilter(_FILTERS[value])
+
+
+def _set_filter_radius(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetFilterRadius(value)
+
+
+def _set_filter_taps(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetFilterTaps(value)
+
+
+def _depth_bits(name, value):
+    if value not in (8, 16, 24, 32):
+        raise ValueError(f"{name}: {value!r} is no format of a depth map; give 8, 16, 24 or 32")
+    return int(value)
+
+
+def _set_depth_bits(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetDepthBits(value)
+
+
+def _bias(name, value):
+    if isinstance(value, str) and value == "automatic":
+        return value
+    try:
+        constant, slope = value
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: {value!r} is neither 'automatic' nor (constant, slope)") from None
+    return tuple(_number(name, _finite(name, each), -1e9, 1e9) for each in (constant, slope))
+
+
+def _set_bias(shadows, renderer, value):
+    maps = shadows.GetDepthShadowMapPass()
+    if value == "automatic":
+        maps.SetBiasMode(vtkDepthShadowMapPass.AUTOMATIC_BIAS)
+    else:
+        maps.SetBiasMode(vtkDepthShadowMapPass.MANUAL_BIAS)
+        maps.SetConstantBias(value[0])
+        maps.SetSlopeBias(value[1])
+
+
+_BEYOND = {
+    "lit": vtkDepthShadowMapPass.LIT_BEYOND,
+    "repeat": vtkDepthShadowMapPass.REPEAT_BEYOND,
+    "clamp": vtkDepthShadowMapPass.CLAMP_BEYOND,
+}
+
+
+def _set_beyond(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetBeyond(_BEYOND[value])
+
+
 def _set_light_samples(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetLightSamples(min(value, 256))
     shadows.GetPlanarShadowPass().SetLightSamples(value)
     shadows.GetStencilShadowVolumePass().SetLightSamples(value)
     if shadows.GetRayCastShadowPass() is not None:
@@ -776,6 +850,12 @@ class _Setting:
 
 _SETTINGS = {
     "resolution": _Setting(lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_resolution),
+    "filter": _Setting(lambda n, v: _one_of(n, v, _FILTERS), _set_filter),
+    "filter_radius": _Setting(lambda n, v: _number(n, v, 0.5, 64), _set_filter_radius),
+    "filter_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 256), _set_filter_taps),
+    "depth_bits": _Setting(_depth_bits, _set_depth_bits),
+    "bias": _Setting(_bias, _set_bias),
+    "beyond": _Setting(lambda n, v: _one_of(n, v, _BEYOND), _set_beyond),
     "light_samples": _Setting(lambda n, v: _whole_number(n, v, 1, 4096), _set_light_samples),
     "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
     "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),

@@ -19,8 +19,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     PAGE_EXAMPLE,
     AREA_EXAMPLE,
     PLANAR_EXAMPLE,
-) = sys.argv[1:8]
-FOLDER = pathlib.Path(sys.argv[8])
+    SOFT_EXAMPLE,
+) = sys.argv[1:9]
+FOLDER = pathlib.Path(sys.argv[9])
 
 
 def read_png(path):
@@ -124,6 +125,16 @@ class TestExamples(unittest.TestCase):
         shares = [100 * float(part.mean()) for part in (texture == 0, texture % 255 > 0, texture == 255)]
         print(f"texture dark, between, lit: got {shares} %, expected 10 and more of each")
         self.assertTrue(min(shares) >= 10)
+
+    def test_soft_shadows(self):
+        picture = FOLDER / "soft_shadows.png"
+        picture.unlink(missing_ok=True)
+        done = run(sys.executable, SOFT_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        hard, sampled, soft = (float(mean) for mean in re.findall(r": ([\d.]+) from the truth", done.stdout))
+        print(f"errors: got {hard}, {sampled} and {soft}, expected the second and third at most a third of the first")
+        self.assertLessEqual(max(sampled, soft), hard / 3)
+        self.assertEqual(read_png(picture).shape[:2], (480, 640))
 
 
 if __name__ == "__main__":
