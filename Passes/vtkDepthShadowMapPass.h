@@ -161,8 +161,8 @@ public:
    * AUTOMATIC_BIAS (default): see above. MANUAL_BIAS, for those who compare: one depth for all
    * texels, less by a bias as glPolygonOffset has it: SlopeBias (default 1.1) times the larger of
    * the receiver's depth slopes along the map's axes, in depth per texel, plus ConstantBias
-   * (default 4) steps of the format (32 and 24 bits: 2^-24; 16: 2^-16; 8: 1/255). Any finite
-   * numbers; another value is an error and changes nothing.
+   * (default 4) steps of the format (32 and 24 bits: 2^-24; 16: 2^-16; 8: 1/255). -1e9 to
+   * 1e9; another value is an error and changes nothing.
    */
   enum BiasModeType
   {
