@@ -6,6 +6,7 @@
 #include "vtkShadowMapViews.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowText.h"
 #include "vtkShadowTextureArray.h"
 
 #include "vtkCamera.h"
@@ -44,25 +45,6 @@ vtkshadows::CascadeEye EyeOf(const vtkShadowFrame& frame, vtkCamera* camera)
       camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
   }
   return eye;
-}
-
-// As GLSL takes it.
-std::string FloatLiteral(double value)
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << std::showpoint << value;
-  return text.str();
-}
-
-std::string Replaced(std::string text, const std::string& name, const std::string& by)
-{
-  for (std::size_t at = text.find(name); at != std::string::npos;
-       at = text.find(name, at + by.size()))
-  {
-    text.replace(at, name.size(), by);
-  }
-  return text;
 }
 
 }
@@ -269,17 +251,20 @@ void vtkMapShadowPass::ForgetMaps(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkMapShadowPass::Named(const char* text) const
+{
+  return vtkShadowText::Replaced(
+    vtkShadowText::Replaced(text, "shadowMap", this->GetLookupPrefix()), "SHADOW_MAP",
+    this->GetMacroPrefix());
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMapShadowPass::GetLookupDeclarations() const
 {
   const int side = this->WithinDriver("Resolution", this->Resolution);
   const std::size_t cubes = this->Views->Faces().size() / 6;
   const std::size_t cascaded = this->NumberOfCascadedLights();
   const std::string define = "#define " + this->GetMacroPrefix();
-  const auto named = [this](const char* text)
-  {
-    return Replaced(
-      Replaced(text, "shadowMap", this->GetLookupPrefix()), "SHADOW_MAP", this->GetMacroPrefix());
-  };
   return define + "_WIDTH " + std::to_string(LayerWidth(side)) + "\n" + define + "_HEIGHT " +
     std::to_string(side) + "\n" +
     (cubes > 0 ? define + "_CUBES " + std::to_string(cubes) + "\n" : "") +
@@ -287,9 +272,10 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
           "_CASCADES " + std::to_string(this->NumberOfCascades) + "\n"
                   : "") +
     (cascaded > 0 && this->CascadeBlend > 0.0
-        ? define + "_CASCADE_BLEND " + FloatLiteral(this->CascadeBlend) + "\n"
+        ? define + "_CASCADE_BLEND " + vtkShadowText::Float(this->CascadeBlend) + "\n"
         : "") +
-    named(vtkMapShadowPassTexels) + this->GetCompareDeclarations() + named(vtkMapShadowPassLookup);
+    this->Named(vtkMapShadowPassTexels) + this->GetCompareDeclarations() +
+    this->Named(vtkMapShadowPassLookup);
 }
 
 std::size_t vtkMapShadowPass::NumberOfCascadedLights() const

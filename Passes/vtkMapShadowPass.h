@@ -196,6 +196,11 @@ protected:
   std::vector<std::string> GetDebugViews() const override;
   bool DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view) override;
 
+  /**
+   * GLSL that all techniques by maps share, with the names of this one.
+   */
+  std::string Named(const char* text) const;
+
   const vtkShadowMapViews& GetViews() const { return *this->Views; }
 
   /**

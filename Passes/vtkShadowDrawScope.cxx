@@ -10,6 +10,13 @@
 vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   const vtkShadowTextureArray& depth, int depthLayer, const vtkShadowTextureArray* colour,
   int colourLayer)
+  : vtkShadowDrawScope(window, &depth, depthLayer, colour, colourLayer)
+{
+}
+
+vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
+  const vtkShadowTextureArray* depth, int depthLayer, const vtkShadowTextureArray* colour,
+  int colourLayer)
   : State(window->GetState())
   , Viewport(State)
   , Scissor(State)
@@ -22,17 +29,20 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   , BlendFunc(State)
   , StencilTest(State, GL_STENCIL_TEST)
   , CullFace(State, GL_CULL_FACE)
-  , Width(depth.Width())
-  , Height(depth.Height())
+  , Width((depth ? depth : colour)->Width())
+  , Height((depth ? depth : colour)->Height())
   , HasColour(colour != nullptr)
   , ColourIsInteger(colour != nullptr && colour->IsInteger())
 {
   this->State->PushFramebufferBindings();
   glGenFramebuffers(1, &this->Framebuffer);
   this->State->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  glFramebufferTextureLayer(GL_FRAMEBUFFER,
-    depth.HasStencil() ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth.Id(), 0,
-    depthLayer);
+  if (depth)
+  {
+    glFramebufferTextureLayer(GL_FRAMEBUFFER,
+      depth->HasStencil() ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth->Id(), 0,
+      depthLayer);
+  }
   GLenum target = colour ? GL_COLOR_ATTACHMENT0 : GL_NONE;
   if (colour)
   {
@@ -46,7 +56,14 @@ vtkShadowDrawScope::vtkShadowDrawScope(vtkOpenGLRenderWindow* window,
   this->State->vtkglDisable(GL_SCISSOR_TEST);
   this->State->vtkglDisable(GL_BLEND);
   this->State->vtkglDisable(GL_STENCIL_TEST);
-  this->State->vtkglEnable(GL_DEPTH_TEST);
+  if (depth)
+  {
+    this->State->vtkglEnable(GL_DEPTH_TEST);
+  }
+  else
+  {
+    this->State->vtkglDisable(GL_DEPTH_TEST);
+  }
   this->State->vtkglDepthFunc(GL_LEQUAL);
   this->State->vtkglDepthMask(GL_TRUE);
   this->State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

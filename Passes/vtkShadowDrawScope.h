@@ -14,6 +14,9 @@ public:
   // `colour` may be nullptr: depth alone. Both have the same size.
   vtkShadowDrawScope(vtkOpenGLRenderWindow* window, const vtkShadowTextureArray& depth,
     int depthLayer, const vtkShadowTextureArray* colour = nullptr, int colourLayer = 0);
+  // Either may be nullptr; without depth there is no depth test.
+  vtkShadowDrawScope(vtkOpenGLRenderWindow* window, const vtkShadowTextureArray* depth,
+    int depthLayer, const vtkShadowTextureArray* colour, int colourLayer);
   ~vtkShadowDrawScope();
   vtkShadowDrawScope(const vtkShadowDrawScope&) = delete;
   void operator=(const vtkShadowDrawScope&) = delete;

@@ -114,8 +114,9 @@ public:
   ///@{
   /**
    * Radius of one light, at least 0 (default 0, hard shadows): of its luminous disc in world units;
-   * for a directional light the tangent of its half-angle (the sun: 0.00465). "depth-map" and
-   * "object-id" cast hard shadows whatever the radius; the others soften by it.
+   * for a directional light the tangent of its half-angle (the sun: 0.00465). "depth-map" softens
+   * by it by its filters "soft" and "sample-lights", and else casts hard shadows; "object-id" casts
+   * hard ones; the others soften by it.
    */
   void SetLightRadius(vtkLight* light, double radius);
   double GetLightRadius(vtkLight* light) const;

@@ -23,6 +23,10 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
   {
     case vtkShadowTextureArray::Format::Depth32F:
       return { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
+    case vtkShadowTextureArray::Format::Depth24:
+      return { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT };
+    case vtkShadowTextureArray::Format::Depth16:
+      return { GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT };
     case vtkShadowTextureArray::Format::Depth24Stencil8:
       return { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
     case vtkShadowTextureArray::Format::R32F:
@@ -167,6 +171,18 @@ void vtkShadowTextureArray::MakeLevels(int levels)
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTextureArray::CompareDepths(bool compared)
+{
+  const ScopedBinding bound(this->Texture);
+  const GLint filter = compared ? GL_LINEAR : GL_NEAREST;
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE,
+    compared ? static_cast<GLint>(GL_COMPARE_REF_TO_TEXTURE) : GL_NONE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, filter);
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,9 @@ class vtkShadowTextureArray
 public:
   enum class Format
   {
-    Depth32F,        // one float, 0 nearest .. 1 farthest
+    Depth32F, // one float, 0 nearest .. 1 farthest
+    Depth24,  // depth in 24 bits, and in 16
+    Depth16,
     Depth24Stencil8, // depth in 24 bits, and 8 of stencil
     RGBA32F,
     R32F,
@@ -48,6 +50,9 @@ public:
   // Make `levels` smaller copies of every layer, each half the size of the one before, and blend
   // between them when it is sampled at a level.
   void MakeLevels(int levels);
+  // Depths: what a shadow sampler asks for, from now on: the blended answers whether a reference is
+  // at most the texel's depth; or again the depth of one texel.
+  void CompareDepths(bool compared);
 
   // Bind to a texture unit of the window's own, and give the unit back.
   void Activate();

@@ -423,7 +423,7 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
 //------------------------------------------------------------------------------
 std::string vtkShadowTriangleMaps::Declarations() const
 {
-  return "#define SHADOW_DEPTH_MAP_LAYERS " + std::to_string(this->Written.Layers) + "\n" +
+  return "#define SHADOW_DEPTH_MAP_PLACES " + std::to_string(this->Written.Layers) + "\n" +
     (this->Written.Direct ? "#define SHADOW_DEPTH_MAP_DIRECT\n" : "") +
     (this->Written.HasPlain ? "#define SHADOW_DEPTH_MAP_PLAIN\n" : "");
 }

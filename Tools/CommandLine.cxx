@@ -34,6 +34,8 @@ struct RawOptions
   std::optional<int> resolution;
   std::optional<int> cascades;
   std::optional<int> lightSamples;
+  std::optional<std::string> filter;
+  std::optional<int> depthBits;
   std::optional<double> isovalue;
   std::optional<int> frames;
   bool quiet = false;
@@ -79,7 +81,14 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
   app
     .add_option("--light-samples", raw.lightSamples,
       "sample lights of a light with a radius, 1 to " + std::to_string(MostLightSamples) +
-        ", for stencil-volume (default 32) and ray-cast (default 64)")
+        ", for stencil-volume (default 32), ray-cast (default 64) and the filter sample-lights of "
+        "depth-map (default 64, at most 256)")
+    ->type_name("N");
+  app
+    .add_option(
+      "--filter", raw.filter, "of a depth map: " + KnownFilters() + "; default: percentage-closer")
+    ->type_name("NAME");
+  app.add_option("--depth-bits", raw.depthBits, "of a depth map: 8, 16, 24 or 32 (default)")
     ->type_name("N");
   app
     .add_option(
@@ -197,6 +206,13 @@ StageSettings InterpretStage(const RawOptions& raw)
   stage.resolution = raw.resolution;
   stage.cascades = raw.cascades;
   stage.lightSamples = raw.lightSamples;
+  if (raw.filter)
+  {
+    RequireFilter("--filter", *raw.filter);
+    stage.filter = *raw.filter;
+  }
+  stage.depthBits = raw.depthBits.value_or(stage.depthBits);
+  RequireDepthBits("--depth-bits", stage.depthBits, stage.filter);
   return stage;
 }
 

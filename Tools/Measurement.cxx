@@ -5,6 +5,7 @@
 #include "Stage.h"
 #include "VtkMessages.h"
 
+#include <vtkDepthShadowMapPass.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
@@ -63,6 +64,9 @@ MeasuredError MeasureError(Stage& stage, std::size_t light)
 Report BeginReport(Stage& stage)
 {
   Report report;
+  vtkDepthShadowMapPass* maps = stage.Shadows()->GetDepthShadowMapPass();
+  report.filter = vtkDepthShadowMapPass::GetFilterName(maps->GetFilter());
+  report.depthBits = maps->GetDepthBits();
   report.triangles = stage.NumberOfTriangles();
   report.vtkVersion = vtkVersion::GetVTKVersion();
   report.openGLRenderer = stage.Window().OpenGLRenderer();

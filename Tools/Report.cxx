@@ -73,6 +73,13 @@ nlohmann::ordered_json ObjectOf(const ReportRow& row, const Report& report)
   nlohmann::ordered_json object;
   object["technique"] = row.technique;
   object["light"] = row.light;
+  object["filter"] = nullptr;
+  object["depth_bits"] = nullptr;
+  if (row.technique == "depth-map")
+  {
+    object["filter"] = report.filter;
+    object["depth_bits"] = report.depthBits;
+  }
   const auto put = [&](const char* key, auto member)
   { object[key] = row.error ? nlohmann::ordered_json((*row.error).*member) : nullptr; };
   put("receiver_pixels", &LightError::receiverPixels);

@@ -36,6 +36,8 @@ struct ReportRow
 struct Report
 {
   std::vector<ReportRow> rows;
+  std::string filter; // of depth maps
+  int depthBits = 32; // the same
   vtkIdType triangles = 0;
   std::string vtkVersion;
   std::string openGLRenderer;
@@ -44,7 +46,7 @@ struct Report
 std::string TableOf(const Report& report);
 
 // An array of one object per technique and light; figures of the error are null where there is
-// none.
+// none, and so are filter and format of what is no depth map.
 std::string JsonOf(const Report& report);
 
 }

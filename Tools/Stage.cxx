@@ -21,6 +21,8 @@
 #include <vtkShadowTexturePass.h>
 #include <vtkStencilShadowVolumePass.h>
 
+#include <algorithm>
+
 namespace vtkshadows
 {
 namespace
@@ -64,6 +66,8 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
     this->shadows->GetDepthShadowMapPass()->SetNumberOfCascades(*settings.cascades);
   }
   this->SetLightSamples(settings.lightSamples);
+  this->shadows->GetDepthShadowMapPass()->SetFilter(settings.filter);
+  this->shadows->GetDepthShadowMapPass()->SetDepthBits(settings.depthBits);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
@@ -110,6 +114,8 @@ void Stage::SetLightSamples(std::optional<int> samples)
   {
     return;
   }
+  this->shadows->GetDepthShadowMapPass()->SetLightSamples(
+    std::min(*samples, vtkDepthShadowMapPass::MostLightSamples));
   this->shadows->GetPlanarShadowPass()->SetLightSamples(*samples);
   this->shadows->GetStencilShadowVolumePass()->SetLightSamples(*samples);
   if (vtkRayCastShadowPass* rayCast = this->shadows->GetRayCastShadowPass())

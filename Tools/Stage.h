@@ -30,9 +30,11 @@ struct StageSettings
   std::optional<glm::dvec3> up;
   FloorSpec floor;
   WindowSize size;
-  std::optional<int> resolution;   // of maps, texels
-  std::optional<int> cascades;     // maps of a directional light
-  std::optional<int> lightSamples; // of a light with a radius
+  std::optional<int> resolution;            // of maps, texels
+  std::optional<int> cascades;              // maps of a directional light
+  std::optional<int> lightSamples;          // of a light with a radius
+  std::string filter = "percentage-closer"; // of depth maps
+  int depthBits = 32;                       // the same
 };
 
 class Stage

@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 
+#include <vtkDepthShadowMapPass.h>
 #include <vtkNew.h>
 #include <vtkShadowPass.h>
 #include <vtkStringArray.h>
@@ -45,6 +46,16 @@ void Require(const std::vector<std::string>& names, const std::string& option,
   }
 }
 
+std::vector<std::string> FilterNames()
+{
+  std::vector<std::string> names;
+  for (int filter = 0; filter < vtkDepthShadowMapPass::GetNumberOfFilters(); ++filter)
+  {
+    names.push_back(vtkDepthShadowMapPass::GetFilterName(filter));
+  }
+  return names;
+}
+
 std::vector<std::string> DebugViewNames()
 {
   return NamesFrom(vtkShadowPass::GetDebugViewNames);
@@ -65,6 +76,30 @@ std::string KnownTechniques()
 void RequireTechnique(const std::string& option, const std::string& name)
 {
   Require(TechniqueNames(), option, name, "is no technique of this build");
+}
+
+std::string KnownFilters()
+{
+  return ListOf(FilterNames());
+}
+
+void RequireFilter(const std::string& option, const std::string& name)
+{
+  Require(FilterNames(), option, name, "is no filter of a depth map");
+}
+
+void RequireDepthBits(const std::string& option, int bits, const std::string& filter)
+{
+  if (bits != 8 && bits != 16 && bits != 24 && bits != 32)
+  {
+    throw Failure(
+      option, std::to_string(bits), "is no format of a depth map", "choose one of 8, 16, 24, 32");
+  }
+  if (!vtkDepthShadowMapPass::HasDepthBits(filter, bits))
+  {
+    throw Failure(option, std::to_string(bits), "is no format of the filter " + filter,
+      "choose one of 16, 24, 32, or another --filter");
+  }
 }
 
 std::string KnownDebugViews()

@@ -17,6 +17,11 @@ std::string KnownTechniques();
 // Throws Failure, naming `option`, unless there is a technique `name`.
 void RequireTechnique(const std::string& option, const std::string& name);
 
+// The same of the filters of a depth map, and of its formats, of which not every filter has all.
+std::string KnownFilters();
+void RequireFilter(const std::string& option, const std::string& name);
+void RequireDepthBits(const std::string& option, int bits, const std::string& filter);
+
 // The same of the views that explain, and the techniques that a view explains.
 std::string KnownDebugViews();
 std::vector<std::string> TechniquesExplainedBy(const std::string& view);

@@ -53,9 +53,9 @@ ShadowDepthMapRay shadowDepthMapRayTo(int layer, vec2 p, float z)
 }
 #define SHADOW_DEPTH_MAP_FROM_TEXELS(ray, way) (way)
 #else
-uniform vec4 shadowDepthMapPlanes[SHADOW_DEPTH_MAP_LAYERS]; // texel of the axis; units a texel
-uniform vec4 shadowDepthMapDepths[SHADOW_DEPTH_MAP_LAYERS]; // where depths begin, their range; near, far (or 0)
-uniform vec2 shadowDepthMapOthers[SHADOW_DEPTH_MAP_LAYERS]; // face of a cube; the light's distance from depth 0
+uniform vec4 shadowDepthMapPlanes[SHADOW_DEPTH_MAP_PLACES]; // texel of the axis; units a texel
+uniform vec4 shadowDepthMapDepths[SHADOW_DEPTH_MAP_PLACES]; // where depths begin, their range; near, far (or 0)
+uniform vec2 shadowDepthMapOthers[SHADOW_DEPTH_MAP_PLACES]; // face of a cube; the light's distance from depth 0
 
 ShadowDepthMapRay shadowDepthMapRayTo(int layer, vec2 p, float z)
 {
@@ -84,7 +84,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   vec4 depth = shadowDepthMapGather(layer, corner);
 
   // The receiver's plane at the four centres.
-  float z = p.z - min(shadowDepthMapSnap * shadowDepthMapRise(slope), 1.0);
+  float z = p.z - SHADOW_DEPTH_MAP_QUANTUM - min(shadowDepthMapSnap * shadowDepthMapRise(slope), 1.0);
   float atCorner = z - dot(slope, f);
   vec4 receiver =
     vec4(atCorner + slope.y, atCorner + slope.x + slope.y, atCorner + slope.x, atCorner);

@@ -37,6 +37,13 @@ void vtkPVShadowView::SetResolution(int resolution)
 }
 
 //----------------------------------------------------------------------------
+void vtkPVShadowView::SetFilter(const char* name)
+{
+  this->Shadows->GetDepthShadowMapPass()->SetFilter(std::string(name ? name : ""));
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
 void vtkPVShadowView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -37,6 +37,12 @@ public:
    */
   void SetResolution(int resolution);
 
+  /**
+   * Filter of depth maps, by name: see vtkDepthShadowMapPass::FilterType. An unknown name is an
+   * error and changes nothing.
+   */
+  void SetFilter(const char* name);
+
 protected:
   vtkPVShadowView();
   ~vtkPVShadowView() override;

@@ -62,6 +62,7 @@ from .vtkShadowsFilters import (
     vtkShadowVolumeFilter,
 )
 from .vtkShadowsPasses import (
+    vtkDepthShadowMapPass,
     vtkObjectIDShadowPass,
     vtkPlanarShadowPass,
     vtkShadowErrorMeasure,
@@ -86,6 +87,7 @@ __all__ = [
     "techniques",
     "visibility",
     "volume_counts",
+    "vtkDepthShadowMapPass",
     "vtkObjectIDShadowPass",
     "vtkPlanarShadowFilter",
     "vtkPlanarShadowPass",
@@ -135,10 +137,25 @@ def enable(
         32 (a float). With 24 there are 255 IDs, which further objects share; else 65535.
     object_taps : object-id: test n x n texels, 1 to 4 (2): blended, or without depths in shadow where all
         agree.
-    cascades : depth-map, object-id and shadow-texture: maps of a directional light at most, 1 to 8 (1): each as
+    cascades : depth-map: maps of a directional light at most, 1 to 8 (1): each as
         fine as what it serves is near. For a scene that reaches far beyond what is near to the eye.
     light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
         4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
+    filter : depth-map: how a receiver is held against the map: "percentage-closer" (default), "none",
+        "hardware", "disc", "soft" (soft shadows of lights with a radius), "sample-lights" (the same, nearer
+        to the truth and slower), "variance", "exponential" or "exact" (edges of the
+        casters' triangles, not of texels); see vtkDepthShadowMapPass::FilterType.
+    filter_radius : filters "disc", "variance" and "exponential": radius of the kernel in texels, 0.5 to 64
+        (3).
+    filter_taps : filters "disc" and "soft": taps of the kernel, 1 to 256 (32).
+    depth_bits : depth-map: bits of a map's depths: 32 (default), 24, 16 or 8.
+    bias : depth-map: "automatic" (default), or, to compare, (constant, slope) as glPolygonOffset has them:
+        steps of the map's format, and shares of the receiver's slope.
+    beyond : depth-map: what lies beyond the map: "lit" (default), or, to show what goes wrong, "repeat" or
+        "clamp".
+    light_samples : planar, stencil-volume, ray-cast and the filter "sample-lights" of depth-map: sample
+        lights for a light with a radius, 1 to 4096 (32 for stencil-volume, 64 for the others; of planar the
+        most that it takes; of depth-map 256 at most, whatever is given).
     variant : stencil-volume: which faces are counted: "automatic" (default), "z-fail", "z-pass",
         "z-pass-capped" or "parity"; see vtkStencilShadowVolumePass::VariantType. The last three are
         for comparison: they are wrong in some views.
@@ -160,7 +177,8 @@ def enable(
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
     radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
-        stencil-volume and ray-cast soften by it. World units; for a directional light the tangent of its half-angle.
+        stencil-volume, ray-cast and the filters "soft" and "sample-lights" of depth-map soften by it. World
+        units; for a directional light the tangent of its half-angle.
     debug_view : "none" (default); "volumes", "silhouette" or "counts" for a light of stencil-volume;
         "cascades", "texel-density", "map" or "lit-part" for one of a technique by maps: drawn over the frame, it
         explains the first light that casts; another light by `shadows.SetDebugLight(light)`. Colours: see
@@ -706,12 +724,6 @@ def _set_object_depth(shadows, renderer, value):
     shadows.GetObjectIDShadowPass().SetCombineDepth(value)
 
 
-def _depth_bits(name, value):
-    if value not in (8, 16, 24, 32):
-        raise ValueError(f"{name}: {value!r} is not one of 8, 16, 24 and 32")
-    return int(value)
-
-
 def _set_object_depth_bits(shadows, renderer, value):
     shadows.GetObjectIDShadowPass().SetDepthBits(value)
 
@@ -724,7 +736,67 @@ def _set_cascades(shadows, renderer, value):
     shadows.GetDepthShadowMapPass().SetNumberOfCascades(value)
 
 
+_FILTERS = {
+    vtkDepthShadowMapPass.GetFilterName(each): each
+    for each in range(vtkDepthShadowMapPass.GetNumberOfFilters())
+}
+
+
+def _set_filter(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetFilter(_FILTERS[value])
+
+
+def _set_filter_radius(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetFilterRadius(value)
+
+
+def _set_filter_taps(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetFilterTaps(value)
+
+
+def _depth_bits(name, value):
+    if value not in (8, 16, 24, 32):
+        raise ValueError(f"{name}: {value!r} is no format of a depth map; give 8, 16, 24 or 32")
+    return int(value)
+
+
+def _set_depth_bits(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetDepthBits(value)
+
+
+def _bias(name, value):
+    if isinstance(value, str) and value == "automatic":
+        return value
+    try:
+        constant, slope = value
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: {value!r} is neither 'automatic' nor (constant, slope)") from None
+    return tuple(_number(name, _finite(name, each), -1e9, 1e9) for each in (constant, slope))
+
+
+def _set_bias(shadows, renderer, value):
+    maps = shadows.GetDepthShadowMapPass()
+    if value == "automatic":
+        maps.SetBiasMode(vtkDepthShadowMapPass.AUTOMATIC_BIAS)
+    else:
+        maps.SetBiasMode(vtkDepthShadowMapPass.MANUAL_BIAS)
+        maps.SetConstantBias(value[0])
+        maps.SetSlopeBias(value[1])
+
+
+_BEYOND = {
+    "lit": vtkDepthShadowMapPass.LIT_BEYOND,
+    "repeat": vtkDepthShadowMapPass.REPEAT_BEYOND,
+    "clamp": vtkDepthShadowMapPass.CLAMP_BEYOND,
+}
+
+
+def _set_beyond(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetBeyond(_BEYOND[value])
+
+
 def _set_light_samples(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetLightSamples(min(value, 256))
     shadows.GetPlanarShadowPass().SetLightSamples(value)
     shadows.GetStencilShadowVolumePass().SetLightSamples(value)
     if shadows.GetRayCastShadowPass() is not None:
@@ -848,6 +920,12 @@ _SETTINGS = {
     "object_depth_bits": _Setting(_depth_bits, _set_object_depth_bits),
     "object_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 4), _set_object_taps),
     "cascades": _Setting(lambda n, v: _whole_number(n, v, 1, 8), _set_cascades),
+    "filter": _Setting(lambda n, v: _one_of(n, v, _FILTERS), _set_filter),
+    "filter_radius": _Setting(lambda n, v: _number(n, v, 0.5, 64), _set_filter_radius),
+    "filter_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 256), _set_filter_taps),
+    "depth_bits": _Setting(_depth_bits, _set_depth_bits),
+    "bias": _Setting(_bias, _set_bias),
+    "beyond": _Setting(lambda n, v: _one_of(n, v, _BEYOND), _set_beyond),
     "light_samples": _Setting(lambda n, v: _whole_number(n, v, 1, 4096), _set_light_samples),
     "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
     "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),

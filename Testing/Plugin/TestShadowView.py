@@ -24,6 +24,7 @@ class TestShadowView(unittest.TestCase):
     def setUp(self):
         VIEW.Technique = "none"
         VIEW.Resolution = 2048
+        VIEW.Filter = "percentage-closer"
         VIEW.UseLight = 0
         VIEW.UseFXAA = 0
         self.light = add_light(VIEW)
@@ -73,6 +74,18 @@ class TestShadowView(unittest.TestCase):
             different = int((fine != coarse).any(axis=2).sum())
             print(f"pixels that a coarse {technique} changes: got {different}, expected 20 or more")
             self.assertGreaterEqual(different, 20)
+
+    def test_filter(self):
+        VIEW.Technique = "depth-map"
+        default = screenshot(VIEW, "filter-percentage-closer")
+        for name in ("none", "hardware", "disc", "variance", "exponential"):
+            with self.subTest(filter=name):
+                VIEW.Filter = name
+                frame = screenshot(VIEW, f"filter-{name}")
+                self.assert_shadow(frame, self.unshadowed)
+                different = int((frame != default).any(axis=2).sum())
+                print(f"pixels that {name} changes: got {different}, expected 1 or more")
+                self.assertGreaterEqual(different, 1)
 
     def test_spot_light(self):
         self.light.Type = "Positional"

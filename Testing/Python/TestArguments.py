@@ -34,6 +34,14 @@ class TestArguments(unittest.TestCase):
             ("object_depth_bits: 12 is not one of 8, 16, 24 and 32", dict(object_depth_bits=12)),
             ("object_taps: 5 is out of range; give 1 to 4", dict(object_taps=5)),
             ("light_samples: 5000 .* give 1 to 4096", dict(light_samples=5000)),
+            ("filter: 'gaussian' is not known; there are percentage-closer, none", dict(filter="gaussian")),
+            ("filter: 4 is not known", dict(filter=4)),
+            ("filter_radius: nan is out of range; give 0.5 to 64", dict(filter_radius=math.nan)),
+            ("filter_taps: 257 .* give 1 to 256", dict(filter_taps=257)),
+            ("depth_bits: 12 is no format .* 8, 16, 24 or 32", dict(depth_bits=12)),
+            ("bias: 'none' is neither 'automatic' nor", dict(bias="none")),
+            ("bias: inf is not a finite number", dict(bias=(math.inf, 1))),
+            ("beyond: 'dark' .* lit, repeat, clamp", dict(beyond="dark")),
             ("epsilon_scale: 0.0 is out of range", dict(epsilon_scale=0)),
             ("variant: 'zfail' is not known; there are automatic, z-fail", dict(variant="zfail")),
             ("variant: 1 is not known", dict(variant=1)),
@@ -65,6 +73,17 @@ class TestArguments(unittest.TestCase):
         self.assertFalse(objects.GetSelfShadows())
         self.assertEqual(shadows.GetLightStrength(SCENE.light), 0.25)
         self.assertEqual(shadows.GetLightRadius(SCENE.light), 2)
+        maps = shadows.GetDepthShadowMapPass()
+        vtkshadows.enable(
+            SCENE.renderer, filter="soft", filter_taps=8, filter_radius=2, depth_bits=16, light_samples=300
+        )
+        self.assertEqual((maps.GetFilterName(maps.GetFilter()), maps.GetFilterTaps()), ("soft", 8))
+        self.assertEqual((maps.GetFilterRadius(), maps.GetDepthBits(), maps.GetLightSamples()), (2, 16, 256))
+        vtkshadows.enable(SCENE.renderer, bias=(2, 1.5), beyond="clamp")
+        self.assertEqual((maps.GetBiasMode(), maps.GetConstantBias(), maps.GetSlopeBias()), (1, 2, 1.5))
+        self.assertEqual(maps.GetBeyond(), maps.CLAMP_BEYOND)
+        vtkshadows.enable(SCENE.renderer, bias="automatic", beyond="lit")
+        self.assertEqual((maps.GetBiasMode(), maps.GetBeyond()), (0, 0))
         volumes = shadows.GetStencilShadowVolumePass()
         vtkshadows.enable(
             SCENE.renderer, "stencil-volume", variant="z-pass-capped", counter="float", debug_view="counts"

@@ -22,8 +22,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     OBJECT_EXAMPLE,
     TEXTURE_EXAMPLE,
     CASCADES_EXAMPLE,
-) = sys.argv[1:11]
-FOLDER = pathlib.Path(sys.argv[11])
+    SOFT_EXAMPLE,
+) = sys.argv[1:12]
+FOLDER = pathlib.Path(sys.argv[12])
 
 
 def read_png(path):
@@ -173,6 +174,16 @@ class TestExamples(unittest.TestCase):
         different = int((plain != explained).any(axis=2).sum())
         print(f"pixels that differ: got {different}, expected 1000 or more")
         self.assertGreaterEqual(different, 1000)
+
+    def test_soft_shadows(self):
+        picture = FOLDER / "soft_shadows.png"
+        picture.unlink(missing_ok=True)
+        done = run(sys.executable, SOFT_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        hard, sampled, soft = (float(mean) for mean in re.findall(r": ([\d.]+) from the truth", done.stdout))
+        print(f"errors: got {hard}, {sampled} and {soft}, expected the second and third at most half of the first")
+        self.assertLessEqual(max(sampled, soft), hard / 2)
+        self.assertEqual(read_png(picture).shape[:2], (480, 640))
 
 
 if __name__ == "__main__":

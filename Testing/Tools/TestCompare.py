@@ -6,7 +6,7 @@ import os
 from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate
 
 KEYS = {
-    "technique", "light", "receiver_pixels", "shadow_pixels", "mismatch_percent", "gross_pixels",
+    "technique", "light", "filter", "depth_bits", "receiver_pixels", "shadow_pixels", "mismatch_percent", "gross_pixels",
     "gross_false_pixels", "gross_missed_pixels", "mean_absolute_difference", "frame_ms_unshadowed",
     "frame_ms_static", "frame_ms_moving", "ratio_static", "ratio_moving", "triangles", "vtk_version",
     "gl_renderer",

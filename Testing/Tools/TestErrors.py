@@ -99,6 +99,10 @@ refused_option(["more than 8"], "--cascades", "9", "1 to 8")
 refused_option(["less than 1"], "--frames", "-2", "1 or more")
 refused_option(["less than 1"], "--light-samples", "0", "1 or more")
 refused_option(["more than 4096"], "--light-samples", "5000", "1 to 4096")
+refused_option(["no filter"], "--filter", "soft-ish", "percentage-closer")
+refused_option(["no format"], "--depth-bits", "12", "8, 16, 24, 32")
+refused(["--depth-bits 8", "variance", "another --filter"], "render", "mesh.off", *PICTURE,
+        "--filter", "variance", "--depth-bits", "8")  # fmt: skip
 refused_option(["no view"], "--debug", "x-ray", "volumes, silhouette, counts")
 for words in ([], ["--technique", "ray-cast"], ["--light", "point:1,2,3@technique=none"]):
     technique = words[1].split("=")[-1] if words else "depth-map"

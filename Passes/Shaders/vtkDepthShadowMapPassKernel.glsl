@@ -1,0 +1,49 @@
+// Percentage-closer filtering over a disc of texels, for the filters "disc" and "soft". Ahead of it stands
+// SHADOW_DEPTH_MAP_TAPS. H. Vogel 1979: points spread evenly over a disc; J. Jimenez 2014: the noise that turns
+// them from pixel to pixel, so that their steps become grain.
+
+vec2 shadowDepthMapTurn()
+{
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  return vec2(cos(6.2831853 * noise), sin(6.2831853 * noise));
+}
+
+// Direction of tap number `tap`, and the share of taps within it.
+vec2 shadowDepthMapTap(int tap, vec2 turn, out float share)
+{
+  const float goldenAngle = 2.3999632;
+  float angle = float(tap) * goldenAngle;
+  vec2 along = vec2(cos(angle), sin(angle));
+  share = (float(tap) + 0.5) / float(SHADOW_DEPTH_MAP_TAPS);
+  return vec2(along.x * turn.x - along.y * turn.y, along.x * turn.y + along.y * turn.x);
+}
+
+// Depths around p.xy + offset, and the receiver's plane at their centres; the weights' share f.
+vec4 shadowDepthMapAround(int layer, vec3 p, vec2 plane, vec2 offset, out vec4 receiver, out vec2 f)
+{
+  vec2 at = shadowDepthMapWrapped(layer, p.xy + offset);
+  vec2 corner = shadowDepthMapHolds(at) ? floor(at + 0.5) : vec2(0.0);
+  f = at + 0.5 - corner;
+  float z = p.z + dot(plane, offset - f);
+  receiver = vec4(z + plane.y, z + plane.x + plane.y, z + plane.x, z);
+  return shadowDepthMapGather(layer, corner);
+}
+
+// The mean over a disc of `radius` texels.
+float shadowDepthMapKernel(int layer, vec3 p, vec2 slope, float radius, vec2 turn)
+{
+  p.z -= shadowDepthMapSlack(slope, 0.5);
+  vec2 plane = shadowDepthMapTilt(slope);
+  float sum = 0.0;
+  for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
+  {
+    float share;
+    vec2 way = shadowDepthMapTap(tap, turn, share);
+    vec4 receiver;
+    vec2 f;
+    vec4 depth = shadowDepthMapAround(layer, p, plane, radius * sqrt(share) * way, receiver, f);
+    vec4 lit = step(min(receiver, 1.0), depth);
+    sum += mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+  }
+  return sum / float(SHADOW_DEPTH_MAP_TAPS);
+}
