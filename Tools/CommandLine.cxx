@@ -48,7 +48,7 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     .add_option("--light", raw.lights,
       "a light; repeat for more. directional:DX,DY,DZ (the way it travels) or "
       "spot:PX,PY,PZ:FX,FY,FZ:CONE (degrees from the axis) or point:PX,PY,PZ, then any of "
-      "@color=R,G,B @intensity=V @radius=V @strength=V @technique=NAME. "
+      "@color=R,G,B @intensity=V @radius=V @strength=V @distance=V @fade=V @technique=NAME. "
       "Default: one directional light from above")
     ->type_name("SPEC")
     ->allow_extra_args(false);

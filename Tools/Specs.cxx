@@ -113,6 +113,18 @@ void ParseAttribute(
       spec.Fail("its strength leaves 0 to 1", "give 0 (no shadow) to 1 (full shadow)");
     }
   }
+  else if (key == "distance")
+  {
+    light.distance = atLeastZero();
+  }
+  else if (key == "fade")
+  {
+    light.fade = spec.Number(value, key);
+    if (light.fade < 0.0 || light.fade > 1.0)
+    {
+      spec.Fail("its fade leaves 0 to 1", "give the share of its distance, 0 to 1");
+    }
+  }
   else if (key == "technique" && !value.empty())
   {
     light.technique = value;
@@ -120,7 +132,7 @@ void ParseAttribute(
   else
   {
     spec.Fail("'@" + key + "=" + value + "' is not understood",
-      "use @color=R,G,B @intensity=V @radius=V @strength=V @technique=NAME");
+      "use @color=R,G,B @intensity=V @radius=V @strength=V @distance=V @fade=V @technique=NAME");
   }
 }
 

@@ -23,6 +23,8 @@ struct LightSpec
   double intensity = 1.0;
   double radius = 0.0;   // see vtkShadowPass::SetLightRadius
   double strength = 1.0; // 0 to 1
+  double distance = 0.0; // from the eye, of its shadows; 0: any
+  double fade = 0.1;     // share of it, 0 to 1
   std::string technique; // empty: the default one
 };
 

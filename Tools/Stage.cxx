@@ -193,6 +193,8 @@ void Stage::AddLight(const LightSpec& spec)
 
   this->shadows->SetLightRadius(light, spec.radius);
   this->shadows->SetLightStrength(light, spec.strength);
+  this->shadows->SetLightMaximumDistance(light, spec.distance);
+  this->shadows->SetLightFade(light, spec.fade);
   if (!spec.technique.empty())
   {
     this->shadows->SetLightTechnique(light, spec.technique);

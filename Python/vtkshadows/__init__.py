@@ -176,6 +176,11 @@ def enable(
         `set_casts_shadows` alone. See vtkShadowTexturePass::SetNearPlane.
     epsilon_scale : ray-cast: how far a ray starts off its surface, in rounding bounds, 1e-3 to 1e6 (1).
     strength : 0 (lit everywhere) to 1 (1), for every light that the renderer has now.
+    maximum_distance : 0 or more (0: any): how far from the eye shadows reach, world units, for every light that
+        the renderer has now.
+    fade : 0 to 1 (0.1): the share of that distance over which they fade out before its end.
+    translucent_casters : how translucent props cast: "none" (default), "opaque", or "stochastic": by their
+        opacity, in a grain that wide filters smooth; see vtkShadowPass::SetTranslucentCasting.
     radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
         stencil-volume, ray-cast and the filters "soft" and "sample-lights" of depth-map soften by it. World
         units; for a directional light the tangent of its half-angle.
@@ -902,6 +907,27 @@ def _set_strength(shadows, renderer, value):
         shadows.SetLightStrength(light, value)
 
 
+def _set_maximum_distance(shadows, renderer, value):
+    for light in renderer.GetLights():
+        shadows.SetLightMaximumDistance(light, value)
+
+
+def _set_fade(shadows, renderer, value):
+    for light in renderer.GetLights():
+        shadows.SetLightFade(light, value)
+
+
+_TRANSLUCENT_CASTERS = {
+    "none": vtkShadowPass.TRANSLUCENT_NONE,
+    "opaque": vtkShadowPass.TRANSLUCENT_OPAQUE,
+    "stochastic": vtkShadowPass.TRANSLUCENT_STOCHASTIC,
+}
+
+
+def _set_translucent_casters(shadows, renderer, value):
+    shadows.SetTranslucentCasting(_TRANSLUCENT_CASTERS[value])
+
+
 def _set_radius(shadows, renderer, value):
     for light in renderer.GetLights():
         shadows.SetLightRadius(light, value)
@@ -942,6 +968,9 @@ _SETTINGS = {
     "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
     "radius": _Setting(lambda n, v: _number(n, v, 0), _set_radius),
+    "maximum_distance": _Setting(lambda n, v: _number(n, v, 0), _set_maximum_distance),
+    "fade": _Setting(lambda n, v: _number(n, v, 0, 1), _set_fade),
+    "translucent_casters": _Setting(lambda n, v: _one_of(n, v, _TRANSLUCENT_CASTERS), _set_translucent_casters),
 }
 
 

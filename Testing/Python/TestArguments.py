@@ -31,7 +31,7 @@ class TestArguments(unittest.TestCase):
             ("resolution: 1.5 is not a whole number", dict(resolution=1.5)),
             ("object_type: 'atom' is not known; there are prop, block", dict(object_type="atom")),
             ("object_depth: 1 is not True or False", dict(object_depth=1)),
-            ("object_depth_bits: 12 is not one of 8, 16, 24 and 32", dict(object_depth_bits=12)),
+            ("object_depth_bits: 12 is no format .* 8, 16, 24 or 32", dict(object_depth_bits=12)),
             ("object_taps: 5 is out of range; give 1 to 4", dict(object_taps=5)),
             ("light_samples: 5000 .* give 1 to 4096", dict(light_samples=5000)),
             ("filter: 'gaussian' is not known; there are percentage-closer, none", dict(filter="gaussian")),
@@ -54,6 +54,9 @@ class TestArguments(unittest.TestCase):
             ("strength: 1.5 is out of range; give 0 to 1", dict(strength=1.5)),
             ("strength: nan is out of range", dict(strength=math.nan)),
             ("strength: 'dark' is not a number", dict(strength="dark")),
+            ("maximum_distance: -1.0 is out of range", dict(maximum_distance=-1)),
+            ("fade: 2.0 is out of range; give 0 to 1", dict(fade=2)),
+            ("translucent_casters: 'half' is not known; there are none, opaque", dict(translucent_casters="half")),
             ("radius: inf is out of range; give 0 or more", dict(radius=math.inf)),
             ("delegate: int is not a vtkRenderPass", dict(delegate=1)),
         ):

@@ -121,6 +121,8 @@ refused_option(["3 numbers"], "--light", "directional:1,2", "directional:DX,DY,D
 refused_option(["not a finite number"], "--light", "point:1,2,nan", "point:PX,PY,PZ")
 refused_option(["no kind of light"], "--light", "sun", "spot:PX,PY,PZ")
 refused_option(["strength"], "--light", "point:1,2,3@strength=1.5", "0 (no shadow) to 1")
+refused_option(["fade"], "--light", "point:1,2,3@fade=1.5", "0 to 1")
+refused_option(["distance"], "--light", "point:1,2,3@distance=-2", "0")
 refused_option(["radius is negative"], "--light", "point:1,2,3@radius=-1", "0 or more")
 refused_option(["intensity is negative"], "--light", "point:1,2,3@intensity=-1", "0 or more")
 refused_option(["color"], "--light", "point:1,2,3@color=0,0,2", "0 to 1")

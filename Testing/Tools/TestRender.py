@@ -70,6 +70,15 @@ succeed("render", *SCENE, "--light", light + "@strength=0", "-o", "weak.png")
 check("picture at strength 0 is that without technique",
       Image("weak.png").rows == Image("none.png").rows, True)  # fmt: skip
 
+# So is a distance that nothing is within; one that reaches everywhere changes nothing.
+succeed("render", *SCENE, "--light", light + "@distance=0.001@fade=0", "-o", "weak.png")
+check("picture with shadows up to a thousandth is that without technique",
+      Image("weak.png").rows == Image("none.png").rows, True)  # fmt: skip
+succeed("render", *SCENE, "--light", light, "-o", "whole.png")
+succeed("render", *SCENE, "--light", light + "@distance=1e6", "-o", "weak.png")
+check("picture with shadows up to a million is that with shadows",
+      Image("weak.png").rows == Image("whole.png").rows, True)  # fmt: skip
+
 # A light with a radius is soft: some pixels are between 0 and 255. With two sample lights there is one
 # value between, at the middle; shadow volumes make a ramp of it.
 for technique in ("stencil-volume", "ray-cast"):
