@@ -165,6 +165,26 @@ TEST_F(DepthMapExact, PointLightInAClosedRoom)
   this->CheckLights("spot in a room");
 }
 
+// A long row, near to the eye and far from it: each cascade's map has texels of its own size.
+TEST_F(DepthMapExact, Cascades)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  AddFloor(this->Renderer, 400.0);
+  for (int i = 0; i < 60; ++i)
+  {
+    const double y = 0.02 * i * i + 1.5 * i, side = i % 2 == 0 ? -1.2 : 1.2;
+    AddSphere(this->Renderer, { side, y, 0.7 }, 0.5);
+    AddBox(this->Renderer, { side + 1.0, y, 0.0 }, { side + 1.3, y + 0.6, 1.4 });
+  }
+  AddSun(this->Renderer, { 1.0, 0.6, -0.7 });
+  this->Resize(800, 600);
+  LookAt(this->Renderer, { 0.4, -4.0, 1.6 }, { 0.0, 20.0, 0.0 });
+  this->Maps()->SetResolution(1024);
+  this->Maps()->SetNumberOfCascades(4);
+  this->CheckLights("four cascades");
+  EXPECT_GE(this->Maps()->GetNumberOfViews(), 3);
+}
+
 TEST_F(DepthMapExact, OffsetsAndScales)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
