@@ -8,11 +8,10 @@ the mean absolute difference from a ray cast of 256 sample lights. Times are of 
 filters in turn in every round; a process's first rounds are not counted.
 """
 import argparse
-import statistics
 
 import vtkshadows
-from ground_floor import directional_light, spot_light, still_life, switched_on, timed, tubes_and_glyphs
-from planar_costs import WARM_UP, two_bodies
+from ground_floor import directional_light, spot_light, still_life, tubes_and_glyphs
+from planar_costs import compare, two_bodies
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 SCENES = {"still life": still_life, "tubes and glyphs": tubes_and_glyphs, "two bodies": lambda: two_bodies("spot")}
@@ -83,40 +82,8 @@ def times(window, scenes, rounds):
     for scene in scenes:
         for light, (_, radii) in LIGHTS.items():
             renderer = opened(window, scene, light)
-            window.Render()
-            lamp = switched_on(renderer)[0]
-            place = lamp.GetPosition()
-            camera = renderer.GetActiveCamera()
-            ways = {}
-            for name in FILTERS:
-                ways[name] = vtkshadows.enable(renderer, "depth-map", filter=name, radius=radii[1])
-                renderer.SetPass(None)
-            unshadowed, ratios = [], {name: ([], []) for name in ways}
-            for i in range(WARM_UP + rounds):
-                renderer.SetPass(None)
-                window.Render()
-                camera.Azimuth(0.4 if i % 2 else -0.4)
-                plain = timed(window)
-                if i >= WARM_UP:
-                    unshadowed.append(plain)
-                for name, shadows in ways.items():
-                    renderer.SetPass(shadows)
-                    window.Render()  # the first frame of a pass looks shaders up
-                    camera.Azimuth(0.1 if i % 2 else -0.1)
-                    static = timed(window)
-                    lamp.SetPosition(place[0] * (1 + 0.002 * (i % 5)), place[1], place[2])
-                    window.Render()
-                    lamp.SetPosition(place[0] * (1.001 + 0.002 * (i % 5)), place[1], place[2])
-                    moving = timed(window)
-                    if i >= WARM_UP:
-                        ratios[name][0].append(static / plain)
-                        ratios[name][1].append(moving / plain)
-            for name, (static, moving) in ratios.items():
-                print(
-                    f"| {scene} | {light} | {name} | {statistics.median(unshadowed):.1f} "
-                    f"| {statistics.median(static):.2f} | {statistics.median(moving):.2f} |",
-                    flush=True,
-                )
+            ways = {name: ("depth-map", {"filter": name, "radius": radii[1]}) for name in FILTERS}
+            compare(renderer, window, ways, rounds, f"{scene} | {light}")
             window.RemoveRenderer(renderer)
 
 

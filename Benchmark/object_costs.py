@@ -4,9 +4,7 @@
 
 The scene and the way of measuring are those of planar_costs.py.
 """
-import argparse
-
-from planar_costs import compare
+from planar_costs import main
 
 WAYS = {"depth-map": ("depth-map", {})}
 for bits in (8, 16, 24, 32):
@@ -17,15 +15,5 @@ WAYS["object-id, IDs alone"] = ("object-id", {"object_depth": False})
 WAYS["object-id, IDs alone, by piece"] = ("object-id", {"object_depth": False, "object_type": "piece"})
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=30)
-    parser.add_argument("--lights", default="directional,spot")
-    options = parser.parse_args()
-    print("| light | technique | unshadowed ms | static | moving |\n|---|---|---|---|---|")
-    for light in options.lights.split(","):
-        compare(light, options.rounds, WAYS)
-
-
 if __name__ == "__main__":
-    main()
+    main(__doc__.splitlines()[0], WAYS)

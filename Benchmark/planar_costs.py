@@ -64,14 +64,8 @@ def passes(renderer, ways):
     return made
 
 
-def compare(light, rounds, ways):
-    """Ratios to the unshadowed frame, every way in every round, so that all share the machine's moods."""
-    renderer = two_bodies(light)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(1024, 768)
-    window.AddRenderer(renderer)
+def compare(renderer, window, ways, rounds, label):
+    """A row a way: ratios to the unshadowed frame. Every way in every round, so that all share the machine's moods."""
     window.Render()
     lamp = switched_on(renderer)[0]
     place = lamp.GetPosition()
@@ -99,7 +93,7 @@ def compare(light, rounds, ways):
                 ratios[name][1].append(moving / plain)
     for name, (static, moving) in ratios.items():
         print(
-            f"| {light} | {name} | {statistics.median(unshadowed):.1f} "
+            f"| {label} | {name} | {statistics.median(unshadowed):.1f} "
             f"| {statistics.median(static):.2f} | {statistics.median(moving):.2f} |",
             flush=True,
         )
@@ -112,7 +106,13 @@ def main(title, ways):
     options = parser.parse_args()
     print("| light | technique | unshadowed ms | static | moving |\n|---|---|---|---|---|")
     for light in options.lights.split(","):
-        compare(light, options.rounds, ways)
+        renderer = two_bodies(light)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetMultiSamples(0)
+        window.SetSize(1024, 768)
+        window.AddRenderer(renderer)
+        compare(renderer, window, ways, options.rounds, light)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
 
 namespace
 {

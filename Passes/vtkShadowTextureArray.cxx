@@ -3,7 +3,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShadowOpenGL.h"
-#include "vtkTextureUnitManager.h"
 
 #include <utility>
 
@@ -188,31 +187,16 @@ void vtkShadowTextureArray::CompareDepths(bool compared)
 //------------------------------------------------------------------------------
 void vtkShadowTextureArray::Activate()
 {
-  if (!this->Texture || this->TextureUnit >= 0)
+  if (this->Texture)
   {
-    return;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  this->TextureUnit = state->GetTextureUnitManager()->Allocate();
-  if (this->TextureUnit >= 0)
-  {
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texture);
+    this->BoundTo.Bind(this->Window, GL_TEXTURE_2D_ARRAY, this->Texture);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowTextureArray::Deactivate()
 {
-  if (this->TextureUnit < 0)
-  {
-    return;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  state->GetTextureUnitManager()->Free(this->TextureUnit);
-  this->TextureUnit = -1;
+  this->BoundTo.Free(this->Window, GL_TEXTURE_2D_ARRAY);
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +209,6 @@ void vtkShadowTextureArray::Release()
     glDeleteTextures(1, &this->Texture);
   }
   this->Texture = 0;
-  this->TextureUnit = -1;
   this->Window = nullptr;
 }
 

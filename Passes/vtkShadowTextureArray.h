@@ -3,6 +3,8 @@
 #ifndef vtkShadowTextureArray_h
 #define vtkShadowTextureArray_h
 
+#include "vtkShadowTextureUnit.h"
+
 #include "vtkWeakPointer.h"
 
 #include <vector>
@@ -57,7 +59,7 @@ public:
   // Bind to a texture unit of the window's own, and give the unit back.
   void Activate();
   void Deactivate();
-  int Unit() const { return this->TextureUnit; }
+  int Unit() const { return this->BoundTo.Get(); }
 
   void Release();
 
@@ -76,7 +78,7 @@ private:
   unsigned int Texture = 0;
   Format TexelFormat = Format::R8;
   int Size[3] = { 0, 0, 0 };
-  int TextureUnit = -1;
+  vtkShadowTextureUnit BoundTo;
 };
 
 #endif

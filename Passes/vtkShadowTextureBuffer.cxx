@@ -3,7 +3,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShadowOpenGL.h"
-#include "vtkTextureUnitManager.h"
 
 //------------------------------------------------------------------------------
 vtkShadowTextureBuffer::~vtkShadowTextureBuffer()
@@ -51,31 +50,16 @@ std::size_t vtkShadowTextureBuffer::LargestSize()
 //------------------------------------------------------------------------------
 void vtkShadowTextureBuffer::Activate()
 {
-  if (!this->Texture || this->TextureUnit >= 0)
+  if (this->Texture)
   {
-    return;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  this->TextureUnit = state->GetTextureUnitManager()->Allocate();
-  if (this->TextureUnit >= 0)
-  {
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
-    glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+    this->BoundTo.Bind(this->Window, GL_TEXTURE_BUFFER, this->Texture);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowTextureBuffer::Deactivate()
 {
-  if (this->TextureUnit < 0)
-  {
-    return;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->TextureUnit));
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  state->GetTextureUnitManager()->Free(this->TextureUnit);
-  this->TextureUnit = -1;
+  this->BoundTo.Free(this->Window, GL_TEXTURE_BUFFER);
 }
 
 //------------------------------------------------------------------------------
@@ -90,6 +74,5 @@ void vtkShadowTextureBuffer::Release()
   }
   this->Texture = 0;
   this->Buffer = 0;
-  this->TextureUnit = -1;
   this->Window = nullptr;
 }

@@ -3,6 +3,8 @@
 #ifndef vtkShadowTextureBuffer_h
 #define vtkShadowTextureBuffer_h
 
+#include "vtkShadowTextureUnit.h"
+
 #include "vtkWeakPointer.h"
 
 #include <cstddef>
@@ -27,7 +29,7 @@ public:
   // Bind to a texture unit of the window's own, and give the unit back.
   void Activate();
   void Deactivate();
-  int Unit() const { return this->TextureUnit; }
+  int Unit() const { return this->BoundTo.Get(); }
 
   void Release();
 
@@ -37,7 +39,7 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   unsigned int Buffer = 0;
   unsigned int Texture = 0;
-  int TextureUnit = -1;
+  vtkShadowTextureUnit BoundTo;
 };
 
 #endif

@@ -6,13 +6,13 @@
 #include "vtkShadowMatrix.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowTextureBuffer.h"
 #include "vtkShadowTriangleMapsFS.h"
 #include "vtkShadowTriangleMapsVS.h"
 
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureUnitManager.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -176,11 +176,9 @@ std::vector<std::size_t> vtkShadowTriangleMaps::Update(
     total += rooms[i];
   }
 
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   this->Fault.clear();
-  const std::size_t limit =
-    std::min<std::size_t>(static_cast<std::size_t>(most) / 3, vtkshadows::MostLightTriangles);
+  const std::size_t limit = std::min<std::size_t>(
+    vtkShadowTextureBuffer::LargestSize() / 3, vtkshadows::MostLightTriangles);
   if (total > limit)
   {
     this->Fault = std::to_string(total) + " triangles of all lights, more than the " +
@@ -439,12 +437,8 @@ bool vtkShadowTriangleMaps::TakeShaderChange()
 void vtkShadowTriangleMaps::Activate()
 {
   this->Numbers.Activate();
-  vtkOpenGLState* state = this->Window->GetState();
-  this->Unit = state->GetTextureUnitManager()->Allocate();
-  if (this->Unit >= 0)
+  if (this->BoundTo.Bind(this->Window, GL_TEXTURE_BUFFER, this->Texture))
   {
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
-    glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Buffer);
   }
 }
@@ -452,21 +446,14 @@ void vtkShadowTriangleMaps::Activate()
 void vtkShadowTriangleMaps::Deactivate()
 {
   this->Numbers.Deactivate();
-  if (this->Unit >= 0 && this->Window)
-  {
-    vtkOpenGLState* state = this->Window->GetState();
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-    state->GetTextureUnitManager()->Free(this->Unit);
-  }
-  this->Unit = -1;
+  this->BoundTo.Free(this->Window, GL_TEXTURE_BUFFER);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowTriangleMaps::SetParameters(vtkShaderProgram* program) const
 {
   program->SetUniformi("shadowDepthMapNumbers", this->Numbers.Unit());
-  program->SetUniformi("shadowDepthMapCorners", this->Unit);
+  program->SetUniformi("shadowDepthMapCorners", this->BoundTo.Get());
   if (this->Written.Direct)
   {
     return;

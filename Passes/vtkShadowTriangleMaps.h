@@ -53,8 +53,6 @@ public:
   void Deactivate();
   void SetParameters(vtkShaderProgram* program) const;
 
-  // Of the triangles, on both sides.
-  std::size_t MemoryInBytes() const;
   void Release();
 
 private:
@@ -124,7 +122,7 @@ private:
   bool ShaderChanged = false;
   std::size_t Capacity = 0; // of the buffer, in triangles
   unsigned int Buffer = 0, Texture = 0;
-  int Unit = -1;
+  vtkShadowTextureUnit BoundTo;
 };
 
 #endif

@@ -22,7 +22,7 @@ vec2 shadowDepthMapTap(int tap, vec2 turn, out float share)
 vec4 shadowDepthMapAround(int layer, vec3 p, vec2 plane, vec2 offset, out vec4 receiver, out vec2 f)
 {
   vec2 at = shadowDepthMapWrapped(layer, p.xy + offset);
-  vec2 corner = shadowDepthMapHolds(at) ? floor(at + 0.5) : vec2(0.0);
+  vec2 corner = shadowDepthMapCorner(at);
   f = at + 0.5 - corner;
   float z = p.z + dot(plane, offset - f);
   receiver = vec4(z + plane.y, z + plane.x + plane.y, z + plane.x, z);
@@ -43,7 +43,7 @@ float shadowDepthMapKernel(int layer, vec3 p, vec2 slope, float radius, vec2 tur
     vec2 f;
     vec4 depth = shadowDepthMapAround(layer, p, plane, radius * sqrt(share) * way, receiver, f);
     vec4 lit = step(min(receiver, 1.0), depth);
-    sum += mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+    sum += shadowDepthMapBlend(lit, f);
   }
   return sum / float(SHADOW_DEPTH_MAP_TAPS);
 }

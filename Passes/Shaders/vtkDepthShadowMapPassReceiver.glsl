@@ -51,7 +51,7 @@ float shadowDepthMapSlack(vec2 slope, float texels)
 #else
 float shadowDepthMapSlack(vec2 slope, float texels)
 {
-  return min(texels * (abs(slope.x) + abs(slope.y)), 1.0) + SHADOW_DEPTH_MAP_QUANTUM;
+  return min(texels * shadowDepthMapRise(slope), 1.0) + SHADOW_DEPTH_MAP_QUANTUM;
 }
 #define shadowDepthMapTilt(slope) (slope)
 #endif

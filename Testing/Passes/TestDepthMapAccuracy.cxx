@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 
 using namespace shadowtest;
 
@@ -167,33 +166,11 @@ TEST_F(DepthMapAccuracy, TwentyUnseenViews)
   this->Resize(1024, 768);
   for (int seed = 1; seed <= 20; ++seed)
   {
-    std::mt19937 random(seed);
-    const auto any = [&random](double low, double high)
-    { return low + (high - low) * (random() / double(random.max())); };
-
-    this->Renderer->RemoveAllViewProps();
-    this->Renderer->RemoveAllLights();
-    const int scene = seed % 3;
-    const Subject subject = scene == 0 ? AddStillLife(this->Renderer)
-      : scene == 1                     ? AddBumpyMesh(this->Renderer)
-                                       : AddTubesAndGlyphs(this->Renderer);
-    const glm::dvec3 toward = Toward(any(0.0, 360.0), any(25.0, 80.0));
-    if (any(0.0, 1.0) < 0.5)
-    {
-      AddSun(this->Renderer, -toward);
-    }
-    else
-    {
-      AddSpot(this->Renderer, subject.centre + any(2.0, 5.0) * subject.radius * toward,
-        subject.centre, any(25.0, 50.0));
-    }
-    AimCamera(this->Renderer, subject, any(0.0, 360.0), any(10.0, 70.0), 1024, 768);
-
-    const char* names[] = { "still life", "bumpy mesh", "tubes and glyphs" };
-    this->CheckLights(std::string(names[scene]) + ", seed " + std::to_string(seed),
-      scene == 0     ? OfSmoothThings
-        : scene == 1 ? OfRoughThings
-                     : OfThinThings);
+    const LotScene scene = AddSceneByLot(this->Renderer, seed, 25.0, 1024, 768);
+    this->CheckLights(scene.name + ", seed " + std::to_string(seed),
+      scene.kind == 0     ? OfSmoothThings
+        : scene.kind == 1 ? OfRoughThings
+                          : OfThinThings);
   }
 }
 

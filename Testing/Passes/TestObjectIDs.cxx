@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
 
 using namespace shadowtest;
 
@@ -188,26 +187,7 @@ TEST_F(ObjectIDs, UnseenViews)
   this->Resize(512, 384);
   for (int seed = 101; seed <= 112; ++seed)
   {
-    std::mt19937 random(seed);
-    const auto any = [&random](double low, double high)
-    { return low + (high - low) * (random() / double(random.max())); };
-    this->Renderer->RemoveAllViewProps();
-    this->Renderer->RemoveAllLights();
-    const int scene = seed % 3;
-    const Subject subject = scene == 0 ? AddStillLife(this->Renderer)
-      : scene == 1                     ? AddBumpyMesh(this->Renderer)
-                                       : AddTubesAndGlyphs(this->Renderer);
-    const glm::dvec3 toward = Toward(any(0.0, 360.0), any(20.0, 80.0));
-    if (any(0.0, 1.0) < 0.5)
-    {
-      AddSun(this->Renderer, -toward);
-    }
-    else
-    {
-      AddSpot(this->Renderer, subject.centre + any(2.0, 5.0) * subject.radius * toward,
-        subject.centre, any(25.0, 50.0));
-    }
-    AimCamera(this->Renderer, subject, any(0.0, 360.0), any(10.0, 70.0), 512, 384);
+    AddSceneByLot(this->Renderer, seed, 20.0, 512, 384);
     this->Maps()->SetObjectType(seed % vtkObjectIDShadowPass::GetNumberOfObjectTypes());
     this->CheckBesideDepthMap("seed " + std::to_string(seed) + ", by " +
       vtkObjectIDShadowPass::GetObjectTypeName(this->Maps()->GetObjectType()));

@@ -292,4 +292,31 @@ void AimCamera(vtkRenderer* renderer, const Subject& subject, double azimuth, do
   LookAt(renderer, subject.centre + distance * Toward(azimuth, elevation), subject.centre);
 }
 
+//------------------------------------------------------------------------------
+LotScene AddSceneByLot(vtkRenderer* renderer, int seed, double lowest, int width, int height)
+{
+  std::mt19937 random(seed);
+  const auto any = [&random](double low, double high)
+  { return low + (high - low) * (random() / double(random.max())); };
+  renderer->RemoveAllViewProps();
+  renderer->RemoveAllLights();
+  const char* names[] = { "still life", "bumpy mesh", "tubes and glyphs" };
+  const int kind = seed % 3;
+  const Subject subject = kind == 0 ? AddStillLife(renderer)
+    : kind == 1                     ? AddBumpyMesh(renderer)
+                                    : AddTubesAndGlyphs(renderer);
+  const glm::dvec3 toward = Toward(any(0.0, 360.0), any(lowest, 80.0));
+  if (any(0.0, 1.0) < 0.5)
+  {
+    AddSun(renderer, -toward);
+  }
+  else
+  {
+    AddSpot(renderer, subject.centre + any(2.0, 5.0) * subject.radius * toward, subject.centre,
+      any(25.0, 50.0));
+  }
+  AimCamera(renderer, subject, any(0.0, 360.0), any(10.0, 70.0), width, height);
+  return { names[kind], kind };
+}
+
 }

@@ -37,6 +37,16 @@ Subject AddScannedMesh(vtkRenderer* renderer, const std::string& file);
 // Thin tubes among small glyphs: 330 000 triangles.
 Subject AddTubesAndGlyphs(vtkRenderer* renderer);
 
+// In place of what the renderer has: a still life, a bumpy mesh, or tubes and glyphs, in turn by
+// the seed, with a directional or spot light at least `lowest` degrees above the horizon, and a
+// camera, by lot.
+struct LotScene
+{
+  std::string name;
+  int kind = 0; // 0 the still life, 1 the bumpy mesh, 2 tubes and glyphs
+};
+LotScene AddSceneByLot(vtkRenderer* renderer, int seed, double lowest, int width, int height);
+
 // The surface position(u, v), u and v from 0 to 1, of uCells x vCells quads cut in two.
 vtkSmartPointer<vtkPolyData> MakeSurface(
   int uCells, int vCells, const std::function<glm::dvec3(double, double)>& position);
