@@ -24,6 +24,7 @@ DEFAULTS = {
     "OneSidedClosedPieces": True,
     "Culling": True,
     "Confinement": True,
+    "MergedDraws": True,
 }
 
 CASES = {
@@ -33,6 +34,7 @@ CASES = {
     "every triangle casts, caps always": {"OneSidedClosedPieces": False, "Variant": Z_FAIL},
     "no caster left out": {"Culling": False},
     "volumes to infinity, no scissor": {"Confinement": False},
+    "caps always, a call for each kind of faces": {"Variant": Z_FAIL, "MergedDraws": False},
     "counted in floats": {"Counter": FLOAT_COUNTER},
     "counted in a wrapping stencil": {"Counter": WRAPPING_STENCIL},
     "none of them": {
@@ -40,6 +42,7 @@ CASES = {
         "OneSidedClosedPieces": False,
         "Culling": False,
         "Confinement": False,
+        "MergedDraws": False,
         "Counter": FLOAT_COUNTER,
     },
 }
@@ -78,6 +81,7 @@ def measure(name, renderer, window, rounds):
             f" - {volumes.GetNumberOfCulledCasters()}"
         )
         row["faces"] = volumes.GetNumberOfFaces()
+        row["calls"] = volumes.GetNumberOfDraws()
         row["bytes_per_triangle"] = volumes.GetMemoryInBytes() / max(volumes.GetNumberOfTriangles(), 1)
         row.update(ground_floor.frame_times(renderer, window, shadows, rounds))
         rows.append(row)
@@ -96,7 +100,7 @@ def measure(name, renderer, window, rounds):
 def print_row(row):
     print(
         f"| {row['scene']} | {row['case']} | {row.get('casters', '')} | {row.get('faces', '')} "
-        f"| {row['ratio_static']:.2f} | {row['ratio_moving']:.2f} "
+        f"| {row.get('calls', '')} | {row['ratio_static']:.2f} | {row['ratio_moving']:.2f} "
         f"| {row.get('bytes_per_triangle', 0):.0f} |",
         flush=True,
     )
@@ -124,8 +128,9 @@ def main():
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
     window.SetSize(*ground_floor.size_of(options.size))
-    print("| scene | case | casters: z-pass + z-fail - left out | faces drawn | static | moving | bytes a triangle |")
-    print("|---|---|---|---|---|---|---|")
+    heads = "scene, case, casters: z-pass + z-fail - left out, faces drawn, calls, static, moving, bytes a triangle"
+    print("| " + heads.replace(", ", " | ") + " |")
+    print("|" + "---|" * 8)
     rows = []
     for name in options.scenes.split(","):
         rows += measure(name, makers[name](), window, options.rounds)

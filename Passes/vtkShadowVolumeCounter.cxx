@@ -23,6 +23,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -446,11 +447,12 @@ std::size_t vtkShadowVolumeCounter::DrawFaces(const Parts& parts)
       triangles += list.count / 3;
     }
   }
-  if (!counts.empty())
+  const std::size_t step = this->MergesDraws ? std::max<std::size_t>(counts.size(), 1) : 1;
+  for (std::size_t i = 0; i < counts.size(); i += step)
   {
     ++this->NumberOfDraws;
-    glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-      static_cast<GLsizei>(counts.size()), added.data());
+    glMultiDrawElementsBaseVertex(GL_TRIANGLES, &counts[i], GL_UNSIGNED_INT, &offsets[i],
+      static_cast<GLsizei>(step), &added[i]);
   }
   return triangles;
 }

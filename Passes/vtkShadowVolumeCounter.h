@@ -104,6 +104,9 @@ public:
   std::size_t NumberOfDraws = 0;
   std::size_t NumberOfOverflows = 0;
 
+  // Faces of a caster that are counted alike, by one call.
+  bool MergesDraws = true;
+
   // Whether this driver passes over pixels by the depth that is stored there: found out by Reserve.
   bool HasDepthBounds() const { return this->DepthBounds; }
 

@@ -235,6 +235,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->NumberOfCulledCasters = 0;
   my.Counter.NumberOfTriangles = 0;
   my.Counter.NumberOfDraws = 0;
+  my.Counter.MergesDraws = this->MergedDraws;
   my.Counter.NumberOfOverflows = 0;
 
   const auto& sceneLights = frame.Scene->GetLights();
@@ -494,6 +495,7 @@ void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OneSidedClosedPieces: " << this->OneSidedClosedPieces << "\n";
   os << indent << "Culling: " << this->Culling << "\n";
   os << indent << "Confinement: " << this->Confinement << "\n";
+  os << indent << "MergedDraws: " << this->MergedDraws << "\n";
   os << indent << "InfiniteProjection: " << this->InfiniteProjection << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "LightSamples: " << this->LightSamples << "\n";

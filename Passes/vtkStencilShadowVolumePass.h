@@ -135,6 +135,16 @@ public:
 
   ///@{
   /**
+   * Hand all faces of a caster that change the count the same way to OpenGL by one call (on,
+   * default); else each kind, sides and caps, near and far, by one of its own.
+   */
+  vtkSetMacro(MergedDraws, bool);
+  vtkGetMacro(MergedDraws, bool);
+  vtkBooleanMacro(MergedDraws, bool);
+  ///@}
+
+  ///@{
+  /**
    * Draw receivers and volumes with the eye's far plane at infinity (Everitt and Kilgard 2002), in
    * place of clamping depths, for drivers that cannot clamp (off, default). Without effect with a
    * parallel projection.
@@ -228,6 +238,7 @@ protected:
   bool OneSidedClosedPieces = true;
   bool Culling = true;
   bool Confinement = true;
+  bool MergedDraws = true;
   bool InfiniteProjection = false;
   int LightSamples = 32;
   bool Smoothing = true;

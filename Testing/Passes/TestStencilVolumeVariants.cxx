@@ -97,6 +97,9 @@ TEST_F(StencilVolumeVariants, SettingsAreTheSame)
     "confinement off", [&]() { this->Volumes()->ConfinementOff(); },
     [&]() { this->Volumes()->ConfinementOn(); }, 12.0);
   this->CheckSame(
+    "a call for each kind of faces", [&]() { this->Volumes()->MergedDrawsOff(); },
+    [&]() { this->Volumes()->MergedDrawsOn(); }, 0.0);
+  this->CheckSame(
     "infinite projection", [&]() { this->Volumes()->InfiniteProjectionOn(); },
     [&]() { this->Volumes()->InfiniteProjectionOff(); }, 12.0);
 }
@@ -186,6 +189,28 @@ TEST_F(StencilVolumeVariants, CullingLeavesOutWhatFallsElsewhere)
   Check("casters left out", static_cast<double>(this->Volumes()->GetNumberOfCulledCasters()), 0.0);
   CheckAtLeast("faces drawn without culling",
     static_cast<double>(this->Volumes()->GetNumberOfFaces()), static_cast<double>(faces + 1));
+}
+
+// Additions and subtractions are drawn by calls of their own; behind the receiver caps at the far
+// end go the other way.
+TEST_F(StencilVolumeVariants, FacesByFewCalls)
+{
+  AddFloor(this->Renderer, 5.0);
+  AddSphere(this->Renderer, { 0.0, 0.0, 1.0 }, 0.5);
+  AddLamp(this->Renderer, { 1.0, 1.0, 4.0 });
+  LookAt(this->Renderer, { 0.0, -6.0, 5.0 }, { 0.0, 0.0, 0.5 });
+  const auto check = [this](const std::string& what, double draws)
+  {
+    this->Render();
+    Check(what + ": calls", static_cast<double>(this->Volumes()->GetNumberOfDraws()), draws);
+  };
+  check("before the receiver", 2.0);
+  this->Volumes()->SetVariant(Pass::Z_FAIL);
+  check("behind it", 4.0);
+  const double faces = static_cast<double>(this->Volumes()->GetNumberOfFaces());
+  this->Volumes()->MergedDrawsOff();
+  check("behind it, each kind by its own", 6.0);
+  Check("faces", static_cast<double>(this->Volumes()->GetNumberOfFaces()), faces);
 }
 
 //------------------------------------------------------------------------------
