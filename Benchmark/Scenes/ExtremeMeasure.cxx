@@ -1,9 +1,11 @@
 #include "ExtremeMeasure.h"
 
 #include "vtkDepthShadowMapPass.h"
+#include "vtkObjectIDShadowPass.h"
 #include "vtkShadowErrorMeasure.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
+#include "vtkShadowTexturePass.h"
 
 #include <vtkImageData.h>
 #include <vtkLight.h>
@@ -55,6 +57,8 @@ void SetTechnique(vtkShadowPass* pass, const std::string& technique)
   pass->GetDepthShadowMapPass()->SetFilter(
     blank == std::string::npos ? "hardware" : technique.substr(blank + 1));
   pass->GetDepthShadowMapPass()->SetResolution(MapResolution);
+  pass->GetObjectIDShadowPass()->SetResolution(MapResolution);
+  pass->GetShadowTexturePass()->SetResolution(MapResolution);
 }
 
 std::string FileName(std::string name)

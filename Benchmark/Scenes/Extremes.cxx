@@ -142,7 +142,7 @@ vtkSmartPointer<vtkPolyData> MakeRing()
   torus->SetPhiResolution(32);
   const glm::dmat4 one(1.0);
   return Moved(OutputOf(torus),
-    glm::rotate(glm::translate(one, glm::dvec3(1.3, -0.9, 0.9)), glm::radians(35.0),
+    glm::rotate(glm::translate(one, glm::dvec3(1.3, -0.9, 1.3)), glm::radians(35.0),
       glm::normalize(glm::dvec3(1.0, 0.4, 0.2))));
 }
 
@@ -161,10 +161,13 @@ vtkSmartPointer<vtkPolyData> WithTriangles(vtkPolyData* mesh, const std::vector<
       normals->InsertNextTuple3(0.0, 0.0, 1.0);
     }
   }
+  vtkNew<vtkCellArray> polys; // its own: of a mesh of strips alone VTK hands out one that is shared
+  polys->DeepCopy(copy->GetPolys());
   for (const std::array<vtkIdType, 3>& t : triangles)
   {
-    copy->GetPolys()->InsertNextCell(3, t.data());
+    polys->InsertNextCell(3, t.data());
   }
+  copy->SetPolys(polys);
   return copy;
 }
 
@@ -398,7 +401,8 @@ void AddLights(Cases& cases)
       [=](ExtremeScene& scene)
       {
         // Narrow ones on the rim of the ball; wide ones from amid the still life.
-        const glm::dvec3 rim = BallCentre + BallRadius * glm::normalize(glm::dvec3(1.0, 1.0, 0.1));
+        const glm::dvec3 rim =
+          BallCentre + BallRadius * glm::normalize(glm::cross(TowardSpot, glm::dvec3(0, 0, 1)));
         scene.lights = { cone < 10.0 ? SpotFrom(rim + 3.0 * TowardSpot, rim, cone)
                                      : SpotFrom({ 0.1, 0.2, 2.9 }, { 0.0, 0.0, 0.0 }, cone) };
         if (cone < 1.0)
