@@ -110,7 +110,8 @@ void Print(const Options& options)
   ExtremeMeasure measure(window);
   measure.Pictures = options.pictures;
 
-  std::printf("| case | VTK's frame, unlike % | truth, alike % | receivers, in shadow, uncertain |");
+  std::printf(
+    "| case | VTK's frame, unlike % | truth, alike % | receivers, in shadow, uncertain |");
   std::string line = "|---|---|---|---|";
   for (const std::string& technique : techniques)
   {

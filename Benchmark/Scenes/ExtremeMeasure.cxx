@@ -125,8 +125,8 @@ ExtremeMeasure::~ExtremeMeasure()
 }
 
 //------------------------------------------------------------------------------
-ExtremeOutcome ExtremeMeasure::MeasureScene(const ExtremeScene& scene,
-  const std::string& technique, Images& first, const std::string& picture)
+ExtremeOutcome ExtremeMeasure::MeasureScene(const ExtremeScene& scene, const std::string& technique,
+  Images& first, const std::string& picture)
 {
   ExtremeOutcome outcome;
   this->Window->SetSize(scene.width, scene.height);
@@ -151,7 +151,8 @@ ExtremeOutcome ExtremeMeasure::MeasureScene(const ExtremeScene& scene,
     if (pass->GetRayCastShadowPass())
     {
       vtkNew<vtkShadowErrorMeasure> error;
-      outcome.made = error->Measure(this->Renderer, light) && (outcome.made || light == measured[0]);
+      outcome.made =
+        error->Measure(this->Renderer, light) && (outcome.made || light == measured[0]);
       if (!outcome.made)
       {
         break;
@@ -203,13 +204,11 @@ ExtremeOutcome ExtremeMeasure::Measure(const ExtremeCase& extreme, const std::st
     const auto isNew = this->Plain.emplace(technique, Images());
     if (isNew.second)
     {
-      this->MeasureScene(
-        PlainExtremeScene(), technique, isNew.first->second, "plain " + technique);
+      this->MeasureScene(PlainExtremeScene(), technique, isNew.first->second, "plain " + technique);
     }
     outcome.agreement = AgreementPercent(images.visibility, isNew.first->second.visibility);
-    outcome.truthAgreement = images.truth.empty()
-      ? -1.0
-      : AgreementPercent(images.truth, isNew.first->second.truth);
+    outcome.truthAgreement =
+      images.truth.empty() ? -1.0 : AgreementPercent(images.truth, isNew.first->second.truth);
   }
   return outcome;
 }

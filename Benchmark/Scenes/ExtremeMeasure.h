@@ -51,11 +51,12 @@ public:
 
   ExtremeOutcome Measure(const ExtremeCase& extreme, const std::string& technique);
 
-  // Share of pixels, in percent, in which VTK's own frame, without shadows, differs from that of the
-  // plain still life by more than 8 of 255. Negative where the case is not alike.
+  // Share of pixels, in percent, in which VTK's own frame, without shadows, differs from that of
+  // the plain still life by more than 8 of 255. Negative where the case is not alike.
   double UnshadowedDifference(const ExtremeCase& extreme);
 
-  // Where to write a picture of each error map and shadowed frame: PNGs into this folder, if not "".
+  // Where to write a picture of each error map and shadowed frame: PNGs into this folder, if not
+  // "".
   std::string Pictures;
 
 private:

@@ -287,13 +287,25 @@ void AddPlacements(Cases& cases)
         });
     }
   }
-  // Other lights, far away, large and small. What they are alike to is the same light's plain picture.
+  // Other lights, far away, large and small. What they are alike to is the same light's plain
+  // picture.
   cases.Add("small and far", "1e-6, 1e8", true,
     [](ExtremeScene& scene)
     {
       scene.scale = 1e-6;
       scene.offset = 5e2 * glm::dvec3(-1.0, 0.3, 0.8);
     });
+}
+
+// What a view of 30 degrees shows, in one of 0.1.
+void SeeFromAfar(ExtremeScene& scene)
+{
+  scene.viewAngle = 0.1;
+  const double farther = std::tan(glm::radians(15.0)) / std::tan(glm::radians(0.05));
+  scene.eye = scene.focus + farther * (scene.eye - scene.focus);
+  const double distance = glm::length(scene.eye - scene.focus);
+  scene.clipping[0] = 0.9 * distance;
+  scene.clipping[1] = 1.1 * distance;
 }
 
 void AddViews(Cases& cases)
@@ -309,15 +321,7 @@ void AddViews(Cases& cases)
       scene.parallelScale = 2.6;
       scene.clipping[1] = 80.0;
     });
-  cases.Add("view", "0.1 degrees", false,
-    [](ExtremeScene& scene)
-    {
-      const double away = std::tan(glm::radians(15.0)) / std::tan(glm::radians(0.05));
-      scene.eye = scene.focus + away * (scene.eye - scene.focus);
-      scene.viewAngle = 0.1;
-      scene.clipping[0] = 0.9 * glm::length(scene.eye - scene.focus);
-      scene.clipping[1] = 1.1 * glm::length(scene.eye - scene.focus);
-    });
+  cases.Add("view", "0.1 degrees", false, SeeFromAfar);
   cases.Add("view", "170 degrees", false,
     [](ExtremeScene& scene)
     {
@@ -357,8 +361,8 @@ void AddLights(Cases& cases)
   }
   const auto place = [&cases](const std::string& where, const glm::dvec3& position)
   {
-    cases.Add("light", where, false,
-      [=](ExtremeScene& scene) { scene.lights = { Lamp(position) }; });
+    cases.Add(
+      "light", where, false, [=](ExtremeScene& scene) { scene.lights = { Lamp(position) }; });
   };
   cases.Add("light", "at a vertex", false,
     [](ExtremeScene& scene)
@@ -379,21 +383,21 @@ void AddLights(Cases& cases)
       scene.lights = { Lamp(from + 2.5 * along + glm::dvec3(0.0, 0.0, 3.0)) };
     });
   place("inside a caster", BallCentre);
-  cases.Add("light", "at the eye", false,
-    [](ExtremeScene& scene) { scene.lights = { Lamp(scene.eye) }; });
+  cases.Add(
+    "light", "at the eye", false, [](ExtremeScene& scene) { scene.lights = { Lamp(scene.eye) }; });
   cases.Add("light", "beside the eye", false,
-    [](ExtremeScene& scene)
-    { scene.lights = { Lamp(scene.eye + glm::dvec3(1e-6, 0.0, 0.0)) }; });
+    [](ExtremeScene& scene) { scene.lights = { Lamp(scene.eye + glm::dvec3(1e-6, 0.0, 0.0)) }; });
   cases.Add("light", "behind the eye", false,
     [](ExtremeScene& scene)
     { scene.lights = { Lamp(scene.eye + 2.0 * (scene.eye - scene.focus)) }; });
   cases.Add("light", "beyond the scene, toward the eye", false,
-    [](ExtremeScene& scene)
-    { scene.lights = { Lamp(glm::dvec3(0.3, 12.0, 5.0)) }; });
+    [](ExtremeScene& scene) { scene.lights = { Lamp(glm::dvec3(0.3, 12.0, 5.0)) }; });
   for (const double rise : { 1e-2, 1e-4, 1e-6, 0.0, -1e-6 })
   {
     cases.Add("sun above the floor by", Text(rise), false,
-      [=](ExtremeScene& scene) { scene.lights = { Sun({ -0.8, 0.6, -rise }) }; });
+      [=](ExtremeScene& scene) {
+        scene.lights = { Sun({ -0.8, 0.6, -rise }) };
+      });
   }
   for (const double cone : { 0.005, 0.05, 5.0, 60.0, 85.0, 89.0, 89.95, 89.9999, 90.0, 120.0 })
   {
@@ -505,16 +509,14 @@ void AddMeshes(Cases& cases)
     {
       vtkPolyData* ball = scene.parts[Ball].mesh;
       const vtkIdType next = ball->GetNumberOfPoints();
-      scene.parts[Ball].mesh =
-        WithTriangles(ball, { { infinity, 0.0, 0.0 } }, { { 0, 1, next } });
+      scene.parts[Ball].mesh = WithTriangles(ball, { { infinity, 0.0, 0.0 } }, { { 0, 1, next } });
     });
   cases.Add("coordinates", "1e30 among others", false,
     [](ExtremeScene& scene)
     {
       vtkPolyData* ball = scene.parts[Ball].mesh;
       const vtkIdType next = ball->GetNumberOfPoints();
-      scene.parts[Ball].mesh =
-        WithTriangles(ball, { { 0.0, 0.0, 1e30 } }, { { 0, 1, next } });
+      scene.parts[Ball].mesh = WithTriangles(ball, { { 0.0, 0.0, 1e30 } }, { { 0, 1, next } });
     });
   const glm::dmat4 one(1.0);
   cases.Add("matrix", "mirrored", true,
@@ -586,9 +588,36 @@ void AddMeshes(Cases& cases)
     });
   cases
     .Add("triangles", "20 million", false,
-      [](ExtremeScene& scene)
-      { scene.parts[Ball].mesh = MakeBall(BallCentre, BallRadius, 3164); })
+      [](ExtremeScene& scene) { scene.parts[Ball].mesh = MakeBall(BallCentre, BallRadius, 3164); })
     .isHeavy = true;
+}
+
+// With a ball beneath the floor, which then casts, too, and has a map fitted to it.
+void AddCellars(Cases& cases)
+{
+  const auto add = [&cases](
+                     const std::string& value, const std::function<void(ExtremeScene&)>& change)
+  {
+    cases.Add("cellar", value, false,
+      [change](ExtremeScene& scene)
+      {
+        ExtremePart ball;
+        ball.mesh = MakeBall({ 2.0, 1.0, -1.5 }, 0.5);
+        scene.parts.push_back(ball);
+        change(scene);
+      });
+  };
+  add("plain", [](ExtremeScene&) {});
+  add("view 0.1 degrees", SeeFromAfar);
+  for (const double scale : { 1e-12, 1e12 })
+  {
+    add("scale " + Text(scale), [=](ExtremeScene& scene) { scene.scale = scale; });
+  }
+  for (const double offset : { 1e6, 1e8 })
+  {
+    add("offset " + Text(offset),
+      [=](ExtremeScene& scene) { scene.offset = 5.0 * offset * glm::dvec3(1.0, -0.7, 0.4); });
+  }
 }
 
 // The same under a sun, and under a lamp amid the still life.
@@ -627,8 +656,7 @@ void AddOtherLights(Cases& cases)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkLight> LightOf(
-  const ShadowLight& light, const glm::dvec3& offset, double scale)
+vtkSmartPointer<vtkLight> LightOf(const ShadowLight& light, const glm::dvec3& offset, double scale)
 {
   auto made = vtkSmartPointer<vtkLight>::New();
   // A light's direction is its focal point's: as far away as the light is large in the world.
@@ -679,6 +707,7 @@ std::vector<ExtremeCase> ExtremeCases()
   AddViews(cases);
   AddLights(cases);
   AddOtherLights(cases);
+  AddCellars(cases);
   AddMeshes(cases);
   return std::move(cases.all);
 }
@@ -695,8 +724,9 @@ std::vector<vtkSmartPointer<vtkLight>> Build(const ExtremeScene& scene, vtkRende
   {
     const bool isPlain = scene.byMatrix || worldFromScene == glm::dmat4(1.0);
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(isPlain || !part.mesh->GetPoints() ? part.mesh.Get()
-                                                            : Moved(part.mesh, worldFromScene).Get());
+    mapper->SetInputData(isPlain || !part.mesh->GetPoints()
+        ? part.mesh.Get()
+        : Moved(part.mesh, worldFromScene).Get());
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(part.colour.x, part.colour.y, part.colour.z);

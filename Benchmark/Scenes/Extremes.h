@@ -1,7 +1,7 @@
-// The extremes: one still life with self-shadows over a floor, and what can be done to it that tries
-// the numbers that shadows are made of. A case is a kind, a value and a change of the plain still
-// life; `Build` puts the changed one on a renderer. Lengths in scene units: the still life is about
-// 5 of them wide and stands on z = 0.
+// The extremes: one still life with self-shadows over a floor, and what can be done to it that
+// tries the numbers that shadows are made of. A case is a kind, a value and a change of the plain
+// still life; `Build` puts the changed one on a renderer. Lengths in scene units: the still life is
+// about 5 of them wide and stands on z = 0.
 #ifndef vtkshadows_Extremes_h
 #define vtkshadows_Extremes_h
 
@@ -38,8 +38,8 @@ struct ExtremeScene
   std::vector<ShadowLight> lights; // the first is the one that is measured
   glm::dvec3 eye{ 0.0, 0.0, 0.0 };
   glm::dvec3 focus{ 0.0, 0.0, 0.0 };
-  double viewAngle = 30.0;     // degrees, of the whole view from below to above
-  double parallelScale = 0.0;  // half the height of a parallel view; 0: in perspective
+  double viewAngle = 30.0;           // degrees, of the whole view from below to above
+  double parallelScale = 0.0;        // half the height of a parallel view; 0: in perspective
   double clipping[2] = { 1.0, 2.0 }; // near and far plane, along the view
 
   // World coordinates are offset + scale * scene coordinates: by the points' own coordinates, which
