@@ -359,12 +359,16 @@ void vtkShadowTriangleMaps::UpdatePlaces(const vtkShadowMapViews& views)
       }
       else
       {
-        // Views of one light differ by where they stand.
         RangeOf(slot.Views.front().View, zeroDepth, begin);
+        begin = nearDepth - zeroDepth;
+      }
+      if (view.parallel)
+      {
+        // Views of one light differ by where they stand.
         const glm::dvec3 moved((DepthFromView(zeroDepth) * view.viewFromWorld *
           glm::inverse(this->LightFromWorld(views, slot)))[3]);
         axis += perLength * glm::dvec2(moved);
-        begin = nearDepth - zeroDepth - moved.z;
+        begin -= moved.z;
       }
       const double unit = UnitOf(slot);
       const auto inUnits = [unit](double length) { return static_cast<float>(length / unit); };
