@@ -58,12 +58,15 @@ struct Depths
   }
 };
 
-// The projection with these tangents as its sides, a little deeper than `depths`.
+// The projection with these tangents as its sides, a little deeper than `depths`: by a share of
+// what lies there, not of how far away it is, since a far light would see it in a few depths.
 glm::dmat4 Frustum(const Rectangle& tangents, const Depths& depths)
 {
-  const double slack = 1.0 / 1024.0;
-  const double farDepth = depths.farthest * (1.0 + slack);
-  const double nearDepth = std::max(depths.nearest * (1.0 - slack), farDepth * NearestShare);
+  const glm::dvec2 size = tangents.high - tangents.low;
+  const double slack =
+    std::max(depths.farthest - depths.nearest, depths.farthest * std::max(size.x, size.y)) / 1024.0;
+  const double farDepth = depths.farthest + slack;
+  const double nearDepth = std::max(depths.nearest - slack, farDepth * NearestShare);
   return glm::frustum(tangents.low.x * nearDepth, tangents.high.x * nearDepth,
     tangents.low.y * nearDepth, tangents.high.y * nearDepth, nearDepth, farDepth);
 }

@@ -85,6 +85,24 @@ glm::dmat4 OffsetPlanarProjection(const glm::dvec4& plane, const glm::dvec4& lig
 }
 
 //------------------------------------------------------------------------------
+glm::dvec4 PlaneSeenFrom(const glm::dvec4& plane, const glm::dvec3& origin)
+{
+  return { glm::dvec3(plane), plane.w - glm::dot(glm::dvec3(plane), origin) };
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 ThrownOn(const glm::dvec4& plane, const PlanarThrow& thrown, const glm::dvec3& point)
+{
+  const glm::dvec3 normal(plane);
+  const glm::dvec4 raised(normal, plane.w + thrown.offset), from(point, 1.0);
+  const glm::dvec4 there =
+    from - thrown.light * (HeightOver(raised, from) / HeightOver(raised, thrown.light));
+  return there - glm::dvec4(thrown.offset * there.w * normal, 0.0);
+}
+
+//------------------------------------------------------------------------------
+// Seen from among the casters: products of coordinates far from the world's origin would leave
+// nothing of the shadow.
 LightView PlanarView(const glm::dvec4& plane, const PlanarThrow& thrown,
   const glm::dmat4& clipFromWorld, const glm::dvec3& towardWC, double lowest, double highest)
 {
@@ -96,12 +114,16 @@ LightView PlanarView(const glm::dvec4& plane, const PlanarThrow& thrown,
   view.viewFromWorld = ViewAlong(
     length > 0.0 ? along / length : -glm::dvec3(plane), view.parallel ? towardWC : lightWC);
 
-  glm::dmat4 clip = clipFromWorld * OffsetPlanarProjection(plane, thrown.light, thrown.offset);
+  const glm::dmat4 one(1.0);
+  const glm::dvec4 planeHere = PlaneSeenFrom(plane, towardWC);
+  const glm::dvec4 lightHere = thrown.light - glm::dvec4(thrown.light.w * towardWC, 0.0);
+  glm::dmat4 clip = clipFromWorld * glm::translate(one, towardWC) *
+    OffsetPlanarProjection(planeHere, lightHere, thrown.offset);
   const double w = std::abs(glm::dot(glm::row(clipFromWorld, 3),
     glm::dvec4(towardWC - HeightOver(plane, glm::dvec4(towardWC, 1.0)) * glm::dvec3(plane), 1.0)));
   const double scale = HeightScale * (w > 0.0 ? w : 1.0) / (highest - lowest);
-  clip = glm::row(clip, 2, scale * (RowOf(plane) - glm::dvec4(0.0, 0.0, 0.0, lowest)));
-  view.clipFromView = clip * glm::inverse(view.viewFromWorld);
+  clip = glm::row(clip, 2, scale * (RowOf(planeHere) - glm::dvec4(0.0, 0.0, 0.0, lowest)));
+  view.clipFromView = clip * (glm::translate(one, -towardWC) * glm::inverse(view.viewFromWorld));
   return view;
 }
 
@@ -158,8 +180,7 @@ bool BoundsOnPlane(const glm::dvec4& plane, const PlaneFrame& frame,
       }
       for (const PlanarThrow& thrown : throws)
       {
-        const glm::dvec4 point =
-          OffsetPlanarProjection(plane, thrown.light, thrown.offset) * glm::dvec4(corner, 1.0);
+        const glm::dvec4 point = ThrownOn(plane, thrown, corner);
         isBounded = isBounded && point.w > 0.0;
         if (HeightOver(plane, glm::dvec4(corner, 1.0)) >= 0.0 && point.w > 0.0)
         {
@@ -209,8 +230,7 @@ double WidestPenumbra(const glm::dvec4& plane, const std::vector<PlanarThrow>& t
       glm::dvec2 low(0.0), high(0.0);
       for (std::size_t i = 0; i < throws.size(); ++i)
       {
-        const glm::dvec4 point = OffsetPlanarProjection(plane, throws[i].light, throws[i].offset) *
-          glm::dvec4(corner, 1.0);
+        const glm::dvec4 point = ThrownOn(plane, throws[i], corner);
         const glm::dvec4 clip = clipFromWorld * point;
         if (!(point.w > 0.0 && clip.w > 0.0))
         {

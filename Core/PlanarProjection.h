@@ -48,6 +48,13 @@ struct PlanarThrow
   double offset = 0.0; // of the plane that it is thrown on
 };
 
+// The same plane for coordinates that begin at `origin`.
+glm::dvec4 PlaneSeenFrom(const glm::dvec4& plane, const glm::dvec3& origin);
+
+// Where a throw puts a point, homogeneous as by OffsetPlanarProjection. The plane's matrix has
+// products of coordinates; this has none, and keeps its digits far from the world's origin.
+glm::dvec4 ThrownOn(const glm::dvec4& plane, const PlanarThrow& thrown, const glm::dvec3& point);
+
 // The view from which casters are drawn flattened onto the plane, as `clipFromWorld` sees that:
 // its position in clip space has x, y and w of the flattened point, and for z what the point itself
 // lies above the plane, beyond `lowest`, so that z > 0 tells what casts (z is not confined to

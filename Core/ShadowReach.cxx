@@ -193,8 +193,8 @@ std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld)
 }
 
 //------------------------------------------------------------------------------
-bool CastsOnNothing(
-  const glm::dvec4& planeWC, const ShadowLight& light, const std::vector<BoxCorners>& receivers)
+bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
+  const std::vector<BoxCorners>& receivers, double rounding)
 {
   const glm::dvec3 normal(planeWC);
   if (normal == glm::dvec3(0.0))
@@ -208,9 +208,7 @@ bool CastsOnNothing(
   {
     for (const glm::dvec3& corner : corners)
     {
-      // On the plane to the rounding of the floats that points are kept in.
       const double side = glm::dot(normal, corner) - planeWC.w;
-      const double rounding = std::ldexp(std::max(glm::length(corner), std::abs(planeWC.w)), -21);
       if (side * (height > 0.0 ? 1.0 : -1.0) < -rounding)
       {
         return false;

@@ -39,9 +39,10 @@ struct Box
 };
 
 // Whether a flat caster, in the plane n.x = d given as (n, d), has every receiver on the light's
-// side of its plane, or on it: then nothing can lie in its shadow.
-bool CastsOnNothing(
-  const glm::dvec4& planeWC, const ShadowLight& light, const std::vector<BoxCorners>& receivers);
+// side of its plane, or on it: then nothing can lie in its shadow. `rounding`: what lies that far
+// beyond the plane may lie on it.
+bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
+  const std::vector<BoxCorners>& receivers, double rounding);
 
 // What the eye sees of its near plane.
 std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld);

@@ -548,12 +548,17 @@ void vtkPlanarShadowPass::Internals::MarkPlane(
     return;
   }
   const glm::dvec4 rounding(0.0, 0.0, 0.0, this->Planes.Tolerance());
-  const glm::dvec4& planeWC = this->Planes.Get()[plane].PlaneWC;
+  // Seen from among its receivers: far from the world's origin the plane would lose its digits.
+  const vtkshadows::Box& bounds = this->Planes.Get()[plane].Bounds;
+  const glm::dvec3 originWC = 0.5 * (bounds.minimum + bounds.maximum);
+  const glm::dvec4 planeHere =
+    vtkshadows::PlaneSeenFrom(this->Planes.Get()[plane].PlaneWC, originWC);
+  const glm::dmat4 clipFromHere = this->ClipFromWorld * glm::translate(glm::dmat4(1.0), originWC);
   glm::dvec3 beneath, above;
   if (vtkshadows::DepthOnPlane(
-        planeWC - rounding, this->ClipFromWorld, frame.Size[0], frame.Size[1], beneath) &&
+        planeHere - rounding, clipFromHere, frame.Size[0], frame.Size[1], beneath) &&
     vtkshadows::DepthOnPlane(
-      planeWC + rounding, this->ClipFromWorld, frame.Size[0], frame.Size[1], above))
+      planeHere + rounding, clipFromHere, frame.Size[0], frame.Size[1], above))
   {
     this->Canvas.MarkPlane(frame, this->PlanesOfPixels, this->BitOf(plane), beneath, above,
       WidestEdge(*frame.Scene, this->Planes.ShadowedProps()));

@@ -127,6 +127,9 @@ struct TraceLight
 {
   bool Directional;
   glm::vec3 Vector; // toward the light, unit; or its position
+  // How far from a position rays end: a surface that a lamp lies on, to rounding, hides nothing of
+  // it.
+  float Short = 0.0f;
 };
 
 // The rays of neighbouring pixels go through the same part of the tree, eight at a time.
@@ -213,7 +216,7 @@ public:
       this->Rays.dir_x[i] = x / length;
       this->Rays.dir_y[i] = y / length;
       this->Rays.dir_z[i] = z / length;
-      this->Rays.tfar[i] = length;
+      this->Rays.tfar[i] = std::max(length - light.Short, 0.0f);
     }
   }
 
@@ -285,13 +288,17 @@ public:
     return TraceFrame(this->TraceFromWorld * glm::inverse(frame.ViewFromWorld), this->Scale, reach);
   }
 
-  TraceLight LightOf(const vtkshadows::ShadowLight& light) const
+  // Rays to a position end before it by `epsilonScale` times its rounding bound and the tree's.
+  TraceLight LightOf(const vtkshadows::ShadowLight& light, double epsilonScale) const
   {
     if (light.kind == vtkshadows::LightKind::Directional)
     {
       return { true, glm::vec3(-light.direction) };
     }
-    return { false, glm::vec3(this->TraceFromWorld * glm::dvec4(light.position, 1.0)) };
+    const glm::dvec3 place(this->TraceFromWorld * glm::dvec4(light.position, 1.0));
+    const double rounding =
+      std::ldexp(1.0 + std::abs(place.x) + std::abs(place.y) + std::abs(place.z), -22);
+    return { false, glm::vec3(place), static_cast<float>(epsilonScale * rounding) };
   }
 
   void PlaceFrame(const vtkShadowScene& scene);
@@ -451,7 +458,7 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
   for (const vtkshadows::ShadowLight& sample :
     vtkshadows::SampleAreaLight(light, light.radius > 0.0 ? this->LightSamples : 1, centreWC))
   {
-    samples.push_back(my.LightOf(sample));
+    samples.push_back(my.LightOf(sample, epsilonScale));
   }
 
   const TraceFrame trace = my.FrameOf(frame);
@@ -536,7 +543,7 @@ double vtkRayCastShadowPass::TimeBareTracing(const vtkShadowFrame& frame)
     {
       continue;
     }
-    const TraceLight hard = my.LightOf(light.Ray);
+    const TraceLight hard = my.LightOf(light.Ray, this->EpsilonScale);
     RayPacket packet(my.Tree);
     ForEachLanes(*frame.Receivers, 0, pixels, trace, static_cast<float>(this->EpsilonScale),
       [&](const ReceiverLanes& lanes)

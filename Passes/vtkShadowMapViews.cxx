@@ -144,6 +144,7 @@ std::vector<BoxCorners> vtkShadowMapViews::CastersOf(const vtkShadowScene& scene
   const std::vector<BoxCorners>& receivers, std::vector<std::size_t>& owners)
 {
   const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
+  const double rounding = vtkShadowReceiverRounding(scene);
   std::vector<BoxCorners> casters;
   for (std::size_t i = 0; i < props.size(); ++i)
   {
@@ -153,7 +154,8 @@ std::vector<BoxCorners> vtkShadowMapViews::CastersOf(const vtkShadowScene& scene
     }
     for (const vtkShadowScene::Piece& piece : props[i].Pieces)
     {
-      if (!vtkshadows::CastsOnNothing(piece.PlaneWC, light.Ray, receivers))
+      if (!vtkshadows::CastsOnNothing(
+            piece.PlaneWC, light.Ray, receivers, 2.0 * std::max(rounding, piece.Rounding)))
       {
         casters.push_back(piece.CornersWC);
         owners.push_back(i);

@@ -171,15 +171,17 @@ void vtkShadowPlanes::Find(const vtkShadowScene& scene, const std::vector<glm::d
 {
   this->Planes.clear();
   const std::vector<vtkShadowScene::Prop>& props = scene.GetProps();
-  double reach = 0.0;
+  this->Rounding = 0.0;
   for (const vtkShadowScene::Prop& prop : props)
   {
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
-      reach = std::max(reach, piece.VertexReach);
+      // Of what is drawn, and of planes in world coordinates, doubles.
+      const double offset = glm::length(CentreOf(piece.CornersWC));
+      this->Rounding =
+        std::max({ this->Rounding, std::ldexp(piece.VertexReach, -20), std::ldexp(offset, -48) });
     }
   }
-  this->Rounding = std::ldexp(reach, -20);
   for (const glm::dvec4& planeWC : named)
   {
     Plane plane;

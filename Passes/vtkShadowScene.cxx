@@ -31,6 +31,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 
@@ -61,7 +62,14 @@ glm::dvec3 PointOf(vtkPoints* points, vtkIdType i)
   return { p[0], p[1], p[2] };
 }
 
-// The plane through all of `points`, to the rounding of floats; n = 0 if there is none.
+// Half a step of the numbers that `points` are kept in, as a share of them.
+double RoundingUnitOf(vtkPoints* points)
+{
+  return std::ldexp(1.0, points && points->GetDataType() == VTK_FLOAT ? -24 : -53);
+}
+
+// The plane through all of `points`, to the rounding of the numbers that they are kept in and of
+// the floats that they are drawn in, about their middle; n = 0 if there is none.
 glm::dvec4 FlatPlane(vtkPoints* points)
 {
   const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
@@ -72,13 +80,14 @@ glm::dvec4 FlatPlane(vtkPoints* points)
 
   // Span the plane by the point farthest from the first, and the one farthest from that line.
   const glm::dvec3 origin = PointOf(points, 0);
-  glm::dvec3 along(0.0), across(0.0);
-  double largest = 0.0;
+  glm::dvec3 along(0.0), across(0.0), largest(0.0), low(origin), high(origin);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const glm::dvec3 p = PointOf(points, i);
     along = glm::length(p - origin) > glm::length(along) ? p - origin : along;
-    largest = std::max({ largest, std::abs(p.x), std::abs(p.y), std::abs(p.z) });
+    largest = glm::max(largest, glm::abs(p));
+    low = glm::min(low, p);
+    high = glm::max(high, p);
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -92,7 +101,13 @@ glm::dvec4 FlatPlane(vtkPoints* points)
   }
 
   const glm::dvec3 normal = across / length;
-  const double tolerance = std::ldexp(largest, -22);
+  // Each coordinate is rounded by itself: in a mesh that its matrix scales unevenly they are
+  // unlike.
+  const glm::dvec3 kept = 4.0 * RoundingUnitOf(points) * largest;
+  const glm::dvec3 drawn = std::ldexp(1.0, -22) * glm::min(high - low, largest);
+  const glm::dvec3 rounding = glm::abs(normal) * glm::max(kept, drawn);
+  const double tolerance = std::max({ rounding.x, rounding.y, rounding.z }) +
+    std::ldexp(glm::length(along), -50); // of the normal
   for (vtkIdType i = 0; i < count; ++i)
   {
     if (!(std::abs(glm::dot(normal, PointOf(points, i) - origin)) <= tolerance))
@@ -230,6 +245,25 @@ vtkMapper* MapperOf(vtkProp* leaf)
     return vtkMapper::SafeDownCast(lod->GetLODMapper(lod->GetPickLODID()));
   }
   return nullptr;
+}
+
+// How far a point may be from where its mesh has it, world units.
+double RoundingOf(vtkMapper* mapper, const double bounds[6], const Scene::Piece& piece)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const double unit = mesh ? RoundingUnitOf(mesh->GetPoints()) : std::ldexp(1.0, -24);
+  double kept = 0.0, placed = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double largest = std::max(std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1]));
+    kept = std::max(kept, largest * glm::length(glm::dvec3(piece.WorldFromModel[axis])));
+  }
+  for (const glm::dvec3& corner : piece.CornersWC)
+  {
+    placed = std::max(placed, glm::length(corner));
+  }
+  return std::max(
+    { 4.0 * unit * kept, std::ldexp(piece.VertexReach, -22), std::ldexp(placed, -50) });
 }
 
 double VertexReachOf(vtkMapper* mapper, const double bounds[6], const glm::dmat4& worldFromModel)
@@ -418,6 +452,7 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
     }
   }
   piece.VertexReach = VertexReachOf(mapper, bounds, piece.WorldFromModel);
+  piece.Rounding = RoundingOf(mapper, bounds, piece);
   const glm::dvec4 planeMC = this->PlaneOf(mapper);
   if (glm::dvec3(planeMC) != glm::dvec3(0.0))
   {

@@ -10,6 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <unordered_set>
 
@@ -36,6 +37,9 @@ struct vtkShadowScene::Piece
   // The largest coordinate that its vertices have as OpenGL's floats, in world units: what they are
   // rounded in proportion to.
   double VertexReach = 0.0;
+  // How exactly its points are known in world units: the rounding of the numbers that they are
+  // kept, placed and drawn in.
+  double Rounding = 0.0;
   // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
   glm::dvec4 PlaneWC{ 0.0 };
   // No texture, and no shader code of the user's, can cut holes in it.
@@ -80,6 +84,20 @@ std::vector<vtkshadows::BoxCorners> vtkShadowCornersOf(
     }
   }
   return corners;
+}
+
+// Of what receives, how exactly its points are known, at the worst.
+inline double vtkShadowReceiverRounding(const vtkShadowScene& scene)
+{
+  double rounding = 0.0;
+  for (const vtkShadowScene::Prop& prop : scene.GetProps())
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      rounding = prop.Receives ? std::max(rounding, piece.Rounding) : rounding;
+    }
+  }
+  return rounding;
 }
 
 // The props at `casters`, and those that they stand in for.

@@ -45,6 +45,22 @@ void RangeOf(const LightView& view, double& nearDepth, double& farDepth)
   farDepth = view.parallel ? (offset - 1.0) / scale : offset / (scale + 1.0);
 }
 
+// The corners' unit of length, so that products of their coordinates are floats at every scale of
+// the scene; a power of two, which rounds nothing.
+double UnitOf(const vtkShadowMapSlot& slot)
+{
+  double nearDepth = 0.0, farDepth = 0.0;
+  RangeOf(slot.Views.front().View, nearDepth, farDepth);
+  const double length =
+    slot.IsCube ? vtkShadowMapViews::FarthestIn(slot.CubeFromWorld, slot.Casters) : farDepth;
+  return length > 0.0 && std::isfinite(length) ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
+}
+
+glm::dmat4 InUnits(double unit)
+{
+  return glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / unit));
+}
+
 // From texels and depths, 0 to 1, of a map.
 glm::dmat4 ClipFromMap(int width, int height)
 {
@@ -126,13 +142,13 @@ bool vtkShadowTriangleMaps::IsTriangles(const vtkShadowScene::Prop& prop)
 // The space that the corners are in. If each light has one map and stands before all that casts, it
 // is that map's own, texels and depths: then nothing more need be known in the lookup. Else its
 // third axis is the depth before the light, from the near plane on; for a cube it is the cube's
-// own.
+// own. Both in UnitOf(slot).
 glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(
   const vtkShadowMapViews& views, const vtkShadowMapSlot& slot) const
 {
   if (slot.IsCube)
   {
-    return slot.CubeFromWorld;
+    return InUnits(UnitOf(slot)) * slot.CubeFromWorld;
   }
   const LightView& view = slot.Views.front().View;
   if (this->Written.Direct)
@@ -141,7 +157,7 @@ glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(
   }
   double nearDepth = 0.0, farDepth = 0.0;
   RangeOf(view, nearDepth, farDepth);
-  return DepthFromView(nearDepth) * view.viewFromWorld;
+  return InUnits(UnitOf(slot)) * DepthFromView(nearDepth) * view.viewFromWorld;
 }
 
 //------------------------------------------------------------------------------
@@ -331,7 +347,7 @@ void vtkShadowTriangleMaps::UpdatePlaces(const vtkShadowMapViews& views)
       const LightView& view = placed.View;
       const glm::dmat4& clip = view.clipFromView;
       const glm::dvec2 half = 0.5 * glm::dvec2(views.WidthOf(view), views.HeightOf(view));
-      const glm::dvec2 perUnit = half * glm::dvec2(clip[0][0], clip[1][1]);
+      const glm::dvec2 perLength = half * glm::dvec2(clip[0][0], clip[1][1]);
       glm::dvec2 axis = half *
         (view.parallel ? glm::dvec2(1.0 + clip[3][0], 1.0 + clip[3][1])
                        : glm::dvec2(1.0 - clip[2][0], 1.0 - clip[2][1]));
@@ -343,19 +359,27 @@ void vtkShadowTriangleMaps::UpdatePlaces(const vtkShadowMapViews& views)
       }
       else
       {
-        // Views of one light differ by where they stand.
         RangeOf(slot.Views.front().View, zeroDepth, begin);
+        begin = nearDepth - zeroDepth;
+      }
+      if (view.parallel)
+      {
+        // Views of one light differ by where they stand.
         const glm::dvec3 moved((DepthFromView(zeroDepth) * view.viewFromWorld *
           glm::inverse(this->LightFromWorld(views, slot)))[3]);
-        axis += perUnit * glm::dvec2(moved);
-        begin = nearDepth - zeroDepth - moved.z;
+        axis += perLength * glm::dvec2(moved);
+        begin -= moved.z;
       }
+      const double unit = UnitOf(slot);
+      const auto inUnits = [unit](double length) { return static_cast<float>(length / unit); };
+      // A perspective map's texels are as wide as depths are long: their ratio has no unit.
+      const glm::dvec2 texel = 1.0 / (view.parallel ? unit * perLength : perLength);
       Place& place = this->Places[placed.Layer];
       place.Plane = { static_cast<float>(axis.x), static_cast<float>(axis.y),
-        static_cast<float>(1.0 / perUnit.x), static_cast<float>(1.0 / perUnit.y) };
-      place.Depth = { static_cast<float>(begin), static_cast<float>(farDepth - nearDepth),
-        static_cast<float>(nearDepth), view.parallel ? 0.0f : static_cast<float>(farDepth) };
-      place.Other = { static_cast<float>(placed.Face), static_cast<float>(zeroDepth) };
+        static_cast<float>(texel.x), static_cast<float>(texel.y) };
+      place.Depth = { inUnits(begin), inUnits(farDepth - nearDepth), inUnits(nearDepth),
+        view.parallel ? 0.0f : inUnits(farDepth) };
+      place.Other = { static_cast<float>(placed.Face), inUnits(zeroDepth) };
     }
   }
 }

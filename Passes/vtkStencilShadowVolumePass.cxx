@@ -65,6 +65,7 @@ public:
   std::map<std::pair<vtkProp*, vtkMapper*>, vtkShadowVolumeCaster> Known;
   std::vector<Caster> Casters; // of this frame
   std::vector<vtkshadows::BoxCorners> Receivers;
+  double ReceiverRounding = 0.0;
   vtkshadows::Box ReceiverBox;
   vtkshadows::Box SeenBox; // with the near plane as far as it is seen
   vtkShadowVolumeCounter Counter;
@@ -84,6 +85,7 @@ public:
 void vtkStencilShadowVolumePass::Internals::GatherReceivers(const vtkShadowScene& scene)
 {
   this->Receivers = vtkShadowReceiverCorners(scene);
+  this->ReceiverRounding = vtkShadowReceiverRounding(scene);
   this->ReceiverBox = {};
   for (const vtkshadows::BoxCorners& corners : this->Receivers)
   {
@@ -322,7 +324,8 @@ bool vtkStencilShadowVolumePass::CountVolumes(
     if (this->Culling &&
       (!vtkshadows::ShadowMayBeSeen(my.Eye.ClipFromWorld, lightWC, corners) ||
         !vtkshadows::ShadowMayReach(my.ReceiverBox, lightWC, corners) ||
-        vtkshadows::CastsOnNothing(caster.Piece->PlaneWC, light, my.Receivers)))
+        vtkshadows::CastsOnNothing(caster.Piece->PlaneWC, light, my.Receivers,
+          2.0 * std::max(my.ReceiverRounding, caster.Piece->Rounding))))
     {
       ++this->NumberOfCulledCasters;
       continue;

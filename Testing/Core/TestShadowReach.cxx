@@ -204,6 +204,10 @@ TEST(ShadowReach, NearQuadIsSeenAtTheCorners)
 
 //------------------------------------------------------------------------------
 // Flat casters.
+
+// Of doubles about 1.
+constexpr double Rounding = 1.0e-15;
+
 TEST(ShadowReach, FlatCasterInPlainCases)
 {
   const glm::dvec4 floor(0.0, 0.0, 1.0, 0.5); // z = 0.5
@@ -218,19 +222,19 @@ TEST(ShadowReach, FlatCasterInPlainCases)
   {
     for (const ShadowLight& light : { sun, lamp })
     {
-      EXPECT_TRUE(CastsOnNothing(plane, light, { above, standing }));
-      EXPECT_FALSE(CastsOnNothing(plane, light, { above, below }));
-      EXPECT_FALSE(CastsOnNothing(plane, light, { across }));
-      EXPECT_TRUE(CastsOnNothing(plane, light, {}));
-      EXPECT_FALSE(CastsOnNothing(glm::dvec4(0.0), light, { above })) << "it is not flat";
+      EXPECT_TRUE(CastsOnNothing(plane, light, { above, standing }, Rounding));
+      EXPECT_FALSE(CastsOnNothing(plane, light, { above, below }, Rounding));
+      EXPECT_FALSE(CastsOnNothing(plane, light, { across }, Rounding));
+      EXPECT_TRUE(CastsOnNothing(plane, light, {}, Rounding));
+      EXPECT_FALSE(CastsOnNothing(glm::dvec4(0.0), light, { above }, Rounding)) << "it is not flat";
     }
   }
   sun.direction = -sun.direction;
   lamp.position.z = -4.0;
   for (const ShadowLight& light : { sun, lamp })
   {
-    EXPECT_TRUE(CastsOnNothing(floor, light, { below })) << "lit from below";
-    EXPECT_FALSE(CastsOnNothing(floor, light, { above })) << "lit from below";
+    EXPECT_TRUE(CastsOnNothing(floor, light, { below }, Rounding)) << "lit from below";
+    EXPECT_FALSE(CastsOnNothing(floor, light, { above }, Rounding)) << "lit from below";
   }
 }
 
@@ -256,7 +260,7 @@ TEST(ShadowReach, FlatCasterNeverMissesAReceiver)
       const double side = glm::dot(normal, receiver.At(lot.Within(1.0))) - height;
       isReached = isReached || side * ofLight < -1.0e-4;
     }
-    const bool says = CastsOnNothing({ normal, height }, light, { receiver.Corners() });
+    const bool says = CastsOnNothing({ normal, height }, light, { receiver.Corners() }, Rounding);
     EXPECT_FALSE(isReached && says) << "scene " << scene;
     onNothing += says ? 1 : 0;
   }
