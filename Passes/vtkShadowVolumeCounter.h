@@ -106,6 +106,11 @@ public:
   bool HasDepthBounds() const { return this->DepthBounds; }
 
   void Release();
+  // Of its textures.
+  std::size_t Bytes() const
+  {
+    return this->Depth.Bytes() + this->Counts.Bytes() + this->Sums.Bytes();
+  }
 
 private:
   enum class Phase

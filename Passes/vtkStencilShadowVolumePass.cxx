@@ -464,6 +464,17 @@ vtkShadowTextureArray* vtkStencilShadowVolumePass::GetTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkStencilShadowVolumePass::GetTextureMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Masks.Bytes() + this->Internal->Counter.Bytes());
+}
+
+vtkIdType vtkStencilShadowVolumePass::GetCasterMemory() const
+{
+  return this->GetMemoryInBytes();
+}
+
+//------------------------------------------------------------------------------
 void vtkStencilShadowVolumePass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Internal->Masks.Release();

@@ -203,6 +203,8 @@ public:
 
   const char* GetTechniqueName() const override { return "stencil-volume"; }
   VisibilityForm GetVisibilityForm() const override { return MASK; }
+  vtkIdType GetTextureMemory() const override;
+  vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
