@@ -63,6 +63,12 @@ glm::dmat4 LightFromWorld(const vtkshadows::ShadowLight& light, const double up[
 }
 
 //------------------------------------------------------------------------------
+vtkShadowLightFalloffs::~vtkShadowLightFalloffs()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowLightFalloffs::FaultOf(vtkTexture* image)
 {
   if (image->GetCubeMap())

@@ -24,6 +24,11 @@ class vtkShadowLightFalloffs
 public:
   using LightPlan = vtkShadowedShadingPass::LightPlan;
 
+  vtkShadowLightFalloffs() = default;
+  ~vtkShadowLightFalloffs();
+  vtkShadowLightFalloffs(const vtkShadowLightFalloffs&) = delete;
+  void operator=(const vtkShadowLightFalloffs&) = delete;
+
   // What is wrong with an image, with the remedy; empty: nothing. Brings it up to date.
   static std::string FaultOf(vtkTexture* image);
 
