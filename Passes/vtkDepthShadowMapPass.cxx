@@ -53,7 +53,8 @@ constexpr double LargestBias = 1e9;
 // What a map that repeats or clamps has of the fitted one, along each axis.
 constexpr double TightShare = 0.75;
 
-// What a format can tell apart, as depth.
+// What a format can tell apart, as depth, or as a share of the way from the near plane to the far
+// one.
 double StepOf(int depthBits)
 {
   return depthBits == 8 ? 1.0 / 255.0 : std::ldexp(1.0, -std::min(depthBits, 24));
@@ -81,6 +82,21 @@ double PenumbraOf(const vtkshadows::LightView& view, double radius, int width)
   const double texels = 0.5 * clip[0][0] * width;
   const double depth = 0.5 * std::abs(view.parallel ? clip[2][2] : clip[3][2]);
   return radius * texels / depth;
+}
+
+// From depths to a layer of distances, in another format.
+void ToDistances(const vtkShadowFrame& frame, vtkShadowTextureArray& from, double nearOverFar,
+  vtkShadowTextureArray& to, int layer, bool toDepth)
+{
+  vtkShadowDrawScope target(
+    frame.Window, toDepth ? &to : nullptr, layer, toDepth ? nullptr : &to, layer);
+  frame.Window->GetState()->vtkglDepthFunc(GL_ALWAYS);
+  vtkShaderProgram* program = vtkShadowFullScreen::Ready(frame.Window, vtkDepthShadowMapPassRampFS);
+  from.Activate();
+  program->SetUniformi("shadowDepths", from.Unit());
+  program->SetUniformf("shadowNearOverFar", static_cast<float>(nearOverFar));
+  vtkShadowFullScreen::Draw();
+  from.Deactivate();
 }
 
 // One axis of it; nearOverFar 0: `from` holds moments.
@@ -474,8 +490,15 @@ bool vtkDepthShadowMapPass::ReserveMaps(
   const bool isRamp = this->DepthBits == 8;
   if (!isRamp && !this->IsBlurred())
   {
-    my.Depths.Release();
     my.Moments.Release();
+    if (this->HasDistances())
+    {
+      my.Depths.Reserve(frame.Window, Format::Depth32F, width, height, 1);
+    }
+    else
+    {
+      my.Depths.Release();
+    }
     bool isLost = my.Maps.Reserve(frame.Window, depths, width, height, layers);
     if (this->Filter == EXACT)
     {
@@ -488,6 +511,10 @@ bool vtkDepthShadowMapPass::ReserveMaps(
     else
     {
       my.Triangles.Release();
+    }
+    if (this->HasDistances() && !my.Depths.Id())
+    {
+      my.Maps.Release();
     }
     return isLost;
   }
@@ -554,32 +581,30 @@ void vtkDepthShadowMapPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
 {
   Internals& my = *this->Internal;
   const bool isRamp = this->DepthBits == 8;
+  // What is sampled is drawn at once where its depths are the driver's: parallel ones are
+  // distances.
+  const double ratio = NearOverFar(view.View);
+  const bool isDirect =
+    !isRamp && !this->IsBlurred() && (!this->HasDistances() || view.View.parallel);
+  const vtkShadowTextureArray& drawn = isDirect ? my.Maps : my.Depths;
+  const int layer = isDirect ? view.Layer : 0;
+  vtkShadowMapView byMappers = view;
   if (this->Filter == EXACT)
   {
-    vtkShadowMapView plain = view;
-    plain.Casters = my.Triangles.PlainCasters(view);
-    this->DrawDepths(frame, slot.Light, plain, my.Maps, view.Layer, width, height);
+    byMappers.Casters = my.Triangles.PlainCasters(view);
+  }
+  this->DrawDepths(frame, slot.Light, byMappers, drawn, layer, width, height);
+  if (this->Filter == EXACT)
+  {
     const auto number = static_cast<std::size_t>(&slot - this->GetViews().GetSlots().data());
-    my.Triangles.Draw(frame, my.Maps, number, view, width, height);
-    return;
+    my.Triangles.Draw(frame, drawn, layer, number, view, width, height);
   }
-  if (!isRamp && !this->IsBlurred())
+  if (this->HasDistances() && !isDirect)
   {
-    this->DrawDepths(frame, slot.Light, view, my.Maps, view.Layer, width, height);
-    return;
+    ToDistances(frame, my.Depths, ratio, my.Maps, view.Layer, !isRamp);
   }
-  this->DrawDepths(frame, slot.Light, view, my.Depths, 0, width, height);
-  const double ratio = NearOverFar(view.View);
-  if (isRamp)
+  if (!this->IsBlurred())
   {
-    vtkShadowDrawScope target(frame.Window, nullptr, 0, &my.Maps, view.Layer);
-    vtkShaderProgram* program =
-      vtkShadowFullScreen::Ready(frame.Window, vtkDepthShadowMapPassRampFS);
-    my.Depths.Activate();
-    program->SetUniformi("shadowDepths", my.Depths.Unit());
-    program->SetUniformf("shadowNearOverFar", static_cast<float>(ratio));
-    vtkShadowFullScreen::Draw();
-    my.Depths.Deactivate();
     return;
   }
   const double exponent = this->Filter == EXPONENTIAL ? this->ExponentialConstant : 0.0;
@@ -593,16 +618,12 @@ std::string vtkDepthShadowMapPass::GetCompareDeclarations() const
 {
   using vtkShadowText::Define;
   using vtkShadowText::Float;
-  std::string text = this->GetSharedDeclarations();
+  std::string text = this->GetSharedDeclarations(this->HasDistances());
   if (this->Beyond != LIT_BEYOND)
   {
     text = Define(this->Beyond == REPEAT_BEYOND ? "SHADOW_DEPTH_MAP_REPEATS"
                                                 : "SHADOW_DEPTH_MAP_CLAMPS") +
       text;
-  }
-  if (this->DepthBits == 8)
-  {
-    text += Define("SHADOW_DEPTH_MAP_RAMP");
   }
   text += Define("SHADOW_DEPTH_MAP_TAPS", std::to_string(this->FilterTaps)) +
     Define("SHADOW_DEPTH_MAP_RADIUS", Float(this->FilterRadius));
@@ -633,15 +654,22 @@ std::string vtkDepthShadowMapPass::GetCompareDeclarations() const
 }
 
 // What every kind of depth map is compared by.
-std::string vtkDepthShadowMapPass::GetSharedDeclarations() const
+std::string vtkDepthShadowMapPass::GetSharedDeclarations(bool distances) const
 {
   using vtkShadowText::Define;
   using vtkShadowText::Float;
   const double step = StepOf(this->DepthBits);
-  // A float's rounding is bounded by the lookup's matrix; a ramp's steps are compared as such.
-  const bool hasStep = this->DepthBits == 16 || this->DepthBits == 24;
+  // A float's rounding is bounded by the lookup's matrix, but for that of the way from distances
+  // back to depths. A driver's formats round to either side, a colour to the nearest.
+  const bool isFixed = this->DepthBits == 16 || this->DepthBits == 24;
+  const double quantum = !isFixed ? 0.0 : distances ? 2.0 * StepOf(24) : step;
   std::string text = Define("SHADOW_DEPTH_MAP_LAYERS", std::to_string(this->Internal->Room)) +
-    Define("SHADOW_DEPTH_MAP_QUANTUM", Float(hasStep ? step : 0.0));
+    Define("SHADOW_DEPTH_MAP_QUANTUM", Float(quantum));
+  if (distances)
+  {
+    const double reach = !isFixed ? 0.5 * step : this->BiasMode == MANUAL_BIAS ? 0.0 : step;
+    text += Define("SHADOW_DEPTH_MAP_STEP", Float(reach));
+  }
   if (this->BiasMode == MANUAL_BIAS)
   {
     text += Define("SHADOW_DEPTH_MAP_CONSTANT_BIAS", Float(this->ConstantBias * step)) +
@@ -652,8 +680,8 @@ std::string vtkDepthShadowMapPass::GetSharedDeclarations() const
 
 std::string vtkDepthShadowMapPass::GetLookupDeclarations() const
 {
-  const std::string shared = this->Named(vtkMapShadowPassTexels) + this->GetSharedDeclarations() +
-    vtkDepthShadowMapPassGather;
+  const std::string shared = this->Named(vtkMapShadowPassTexels) +
+    this->GetSharedDeclarations(false) + vtkDepthShadowMapPassGather;
   return Superclass::GetLookupDeclarations() + this->Internal->Sampled.Declarations(shared);
 }
 

@@ -152,9 +152,11 @@ public:
 
   ///@{
   /**
-   * Bits of a map's depths: 32 (float, default), 24, 16 or 8. 8 is a ramp, linear in the distance
-   * from the light, as of the time before depth textures: lit where the receiver's step is the
-   * map's, or an earlier one. Another value is an error and changes nothing.
+   * Bits of a map's depths: 32 (float, default), 24, 16 or 8; all but 32 are steps of the distance
+   * from the light, so that they are as fine far from a spot or point light as near to it. 8 is a
+   * ramp as of the time before depth textures: lit where the receiver's step is the map's, or an
+   * earlier one. Another value is an error and changes nothing. Maps of sample lights, and those
+   * that are blurred, are made of the driver's depths of 24 and 16 bits.
    */
   void SetDepthBits(int bits);
   vtkGetMacro(DepthBits, int);
@@ -220,6 +222,8 @@ protected:
   vtkMTimeType GetReceiverStamp() const override;
   double GetMarginTexels() const override;
   double GetRiseTexels() const override;
+  // A perspective's depths are coarse far from the light; a blurred map has moments, of floats.
+  bool HasDistances() const override { return this->DepthBits < 32 && !this->IsBlurred(); }
   bool ReserveMaps(const vtkShadowFrame& frame, int width, int height, int layers) override;
   void BeginMaps(const vtkShadowFrame& frame) override;
   void DrawMap(const vtkShadowFrame& frame, const vtkShadowMapSlot& slot,
@@ -255,7 +259,7 @@ private:
   void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::ShadowLight& light,
     const vtkShadowMapView& view, const vtkShadowTextureArray& maps, int layer, int width,
     int height);
-  std::string GetSharedDeclarations() const;
+  std::string GetSharedDeclarations(bool distances) const;
   bool RefusesChoice(const char* name, const char* type, int value, int choices, int setting);
 
   class Internals;

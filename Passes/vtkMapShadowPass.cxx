@@ -329,7 +329,8 @@ std::vector<std::string> vtkMapShadowPass::GetDebugViews() const
 
 bool vtkMapShadowPass::DrawDebugView(const vtkShadowFrame& frame, int slot, const std::string& view)
 {
-  return vtkShadowMapDebugView::Draw(view, frame, *this->Views, slot, *this->GetTextures());
+  return vtkShadowMapDebugView::Draw(
+    view, frame, *this->Views, slot, *this->GetTextures(), this->HasDistances());
 }
 
 //------------------------------------------------------------------------------

@@ -159,6 +159,11 @@ protected:
   virtual double GetMarginTexels() const { return 2.0; }
 
   /**
+   * Whether what maps hold is linear in the distance from the light; else the driver's depth.
+   */
+  virtual bool HasDistances() const { return false; }
+
+  /**
    * How far a surface may rise out of the receiver's plane beside it: what p is nearer to the light
    * by, in texels' widths as depth.
    */

@@ -24,7 +24,7 @@ std::string At(const char* uniform, std::size_t i)
 }
 
 void SetMaps(vtkShaderProgram* program, const vtkShadowFrame& frame, const vtkShadowMapViews& views,
-  const vtkShadowMapSlot& slot)
+  const vtkShadowMapSlot& slot, bool linear)
 {
   const std::size_t count = std::min(slot.Views.size(), MostMaps);
   program->SetUniformi("shadowNumberOfMaps", static_cast<int>(count));
@@ -45,10 +45,10 @@ void SetMaps(vtkShaderProgram* program, const vtkShadowFrame& frame, const vtkSh
     program->SetUniform4f(At("shadowMapSize", i).c_str(), size);
     const double end =
       isCascade ? slot.Cascades.cascades[placed.Cascade].reach * viewPerWorld : HUGE_VAL;
-    const bool hasDistances = !placed.View.parallel;
+    const bool isInverse = !placed.View.parallel && !linear;
     const float reach[3] = { static_cast<float>(1.0 / (end * end)),
-      hasDistances ? static_cast<float>(placed.View.clipFromView[2][2]) : 0.0f,
-      hasDistances ? static_cast<float>(placed.View.clipFromView[3][2]) : 0.0f };
+      isInverse ? static_cast<float>(placed.View.clipFromView[2][2]) : 0.0f,
+      isInverse ? static_cast<float>(placed.View.clipFromView[3][2]) : 0.0f };
     program->SetUniform3f(At("shadowMapReach", i).c_str(), reach);
   }
   const glm::dvec3 eyeVC(frame.ViewFromWorld * glm::dvec4(slot.Cascades.eyeWC, 1.0));
@@ -72,7 +72,7 @@ const std::vector<std::string>& Names()
 
 //------------------------------------------------------------------------------
 bool Draw(const std::string& name, const vtkShadowFrame& frame, const vtkShadowMapViews& views,
-  int slot, const vtkShadowTextureArray& maps)
+  int slot, const vtkShadowTextureArray& maps, bool linear)
 {
   const auto found = std::find(Names().begin(), Names().end(), name);
   if (found == Names().end() || !frame.Receivers->Draw(frame))
@@ -91,7 +91,7 @@ bool Draw(const std::string& name, const vtkShadowFrame& frame, const vtkShadowM
   const float size[2] = { static_cast<float>(frame.Size[0]), static_cast<float>(frame.Size[1]) };
   program->SetUniform2f("shadowViewSize", size);
   vtkShadowOverlay::PlaceViewport(frame, program);
-  SetMaps(program, frame, views, views.GetSlots()[slot]);
+  SetMaps(program, frame, views, views.GetSlots()[slot], linear);
   vtkShadowFullScreen::Draw();
   receivers.Deactivate();
   return true;

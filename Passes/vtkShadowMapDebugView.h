@@ -15,10 +15,11 @@ namespace vtkShadowMapDebugView
 
 const std::vector<std::string>& Names();
 
-// Over the frame, in the bound framebuffer, with the maps bound to their unit. false if there is no
-// such view, or no buffer for what it needs.
+// Over the frame, in the bound framebuffer, with the maps bound to their unit; `linear`: what they
+// hold is linear in the distance from the light. false if there is no such view, or no buffer for
+// what it needs.
 bool Draw(const std::string& name, const vtkShadowFrame& frame, const vtkShadowMapViews& views,
-  int slot, const vtkShadowTextureArray& maps);
+  int slot, const vtkShadowTextureArray& maps, bool linear);
 
 }
 

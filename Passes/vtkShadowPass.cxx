@@ -3,6 +3,7 @@
 #include "vtkDepthShadowMapPass.h"
 #include "vtkObjectIDShadowPass.h"
 #include "vtkPlanarShadowPass.h"
+#include "vtkShadowLightFalloffs.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowMeasured.h"
 #include "vtkShadowReceiverBuffer.h"
@@ -37,6 +38,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkStringArray.h"
+#include "vtkTexture.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/geometric.hpp>
@@ -44,6 +46,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 vtkStandardNewMacro(vtkShadowPass);
 
@@ -76,7 +79,18 @@ struct LightSettings
   double Radius = 0.0;
   double MaximumDistance = 0.0; // 0: any
   double Fade = 0.1;
+  double SmoothCone = 0.0; // share of the cone's angle
+  vtkSmartPointer<vtkTexture> Texture;
+  double TextureUp[3] = { 0.0, 0.0, 1.0 };
+
+  bool FallsOff() const { return this->SmoothCone > 0.0 || this->Texture; }
 };
+
+// A spot, as VTK has them.
+bool IsSpot(vtkLight* light)
+{
+  return light->GetPositional() && light->GetConeAngle() > 0.0 && light->GetConeAngle() < 90.0;
+}
 
 // Bring a renderer's window and its props into a render state outside of a frame.
 class StateOfRenderer
@@ -135,6 +149,13 @@ void DrawBlendingInPlace(const vtkRenderState* s)
     begin, end, [&](vtkProp* prop) { prop->RenderTranslucentPolygonalGeometry(renderer); });
   std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderVolumetricGeometry(renderer); });
   std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderOverlay(renderer); });
+}
+
+std::string Named(const vtkObject* object)
+{
+  std::ostringstream text;
+  text << object;
+  return text.str();
 }
 
 vtkInformation* KeysOf(vtkProp* prop)
@@ -208,7 +229,8 @@ public:
   std::string Default = "depth-map";
   std::vector<LightSettings> Lights;
   std::string DebugView = NoView;
-  std::string DebugFault; // as it was last told
+  std::string DebugFault;                 // as it was last told
+  std::vector<std::string> FalloffFaults; // the same, of the lights in their order
   vtkWeakPointer<vtkLight> DebugLight;
   vtkSmartPointer<vtkRenderPass> Delegate;
   vtkNew<vtkShadowScene> Scene;
@@ -293,6 +315,8 @@ public:
     const vtkShadowFrame& frame, std::vector<vtkShadowedShadingPass::LightPlan>& plan, bool masks);
   void End();
   std::string DrawDebugView(const vtkShadowFrame& frame);
+  void TellFalloffs(const std::vector<std::string>& faults);
+  std::vector<std::string> PlanFalloffs(std::vector<vtkShadowedShadingPass::LightPlan>& plan);
   std::vector<vtkShadowedShadingPass::LightPlan> Plan; // of this frame
 };
 
@@ -358,6 +382,51 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
 }
 
 //------------------------------------------------------------------------------
+// How the lights of a plan fall off; returns what is wrong with each, empty: nothing.
+std::vector<std::string> vtkShadowPass::Internals::PlanFalloffs(
+  std::vector<vtkShadowedShadingPass::LightPlan>& plan)
+{
+  std::vector<std::string> faults(plan.size());
+  for (std::size_t i = 0; i < plan.size(); ++i)
+  {
+    vtkLight* light = this->Scene->GetLights()[i].Source;
+    const LightSettings settings = this->SettingsOf(light);
+    if (settings.FallsOff() && !IsSpot(light))
+    {
+      faults[i] =
+        "is no spot any more, and so has no smooth cone and no texture: make it positional, "
+        "with a cone angle below 90 degrees, or clear these settings";
+      continue;
+    }
+    plan[i].SmoothCone = settings.SmoothCone;
+    if (settings.Texture)
+    {
+      const std::string fault = vtkShadowLightFalloffs::FaultOf(settings.Texture);
+      faults[i] = fault.empty() ? "" : "shines without its texture, which " + fault;
+      plan[i].Texture = fault.empty() ? settings.Texture.Get() : nullptr;
+      std::copy_n(settings.TextureUp, 3, plan[i].TextureUp);
+    }
+  }
+  return faults;
+}
+
+//------------------------------------------------------------------------------
+// Each fault once, as long as it lasts.
+void vtkShadowPass::Internals::TellFalloffs(const std::vector<std::string>& faults)
+{
+  this->FalloffFaults.resize(faults.size());
+  for (std::size_t i = 0; i < faults.size(); ++i)
+  {
+    if (!faults[i].empty() && faults[i] != this->FalloffFaults[i])
+    {
+      vtkWarningWithObjectMacro(this->FramePass->Owner,
+        "Light " << i << " (" << this->Scene->GetLights()[i].Source << ") " << faults[i] << ".");
+    }
+  }
+  this->FalloffFaults = faults;
+}
+
+//------------------------------------------------------------------------------
 // Everything up to the shading: true if there is anything to shade with, and then End() must
 // follow.
 bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStrength, bool always)
@@ -366,8 +435,13 @@ bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStren
   this->Clock.Start(SceneStage);
   this->Scene->Gather(frame.Renderer);
   std::vector<vtkShadowedShadingPass::LightPlan> plan = this->PlanLights(withStrength);
+  if (withStrength)
+  {
+    this->TellFalloffs(this->PlanFalloffs(plan));
+  }
   const bool any = std::any_of(plan.begin(), plan.end(),
-    [](const vtkShadowedShadingPass::LightPlan& entry) { return entry.Technique != nullptr; });
+    [](const vtkShadowedShadingPass::LightPlan& entry)
+    { return entry.Technique != nullptr || entry.FallsOff(); });
   if ((!any && !always) || frame.Size[0] < 1 || frame.Size[1] < 1)
   {
     return false;
@@ -761,6 +835,85 @@ void vtkShadowPass::SetLightFade(vtkLight* light, double fade)
 double vtkShadowPass::GetLightFade(vtkLight* light) const
 {
   return this->Internal->SettingsOf(light).Fade;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightSmoothCone(vtkLight* light, double share)
+{
+  if (!light || !(share >= 0.0 && share <= 1.0))
+  {
+    vtkErrorMacro("SetLightSmoothCone("
+      << light << ", " << share
+      << "): give a vtkLight and the share of its cone's angle that it falls off over, 0 to 1.");
+    return;
+  }
+  if (share > 0.0 && !IsSpot(light))
+  {
+    vtkErrorMacro("SetLightSmoothCone(" << light << ", " << share
+                                        << "): the light is no spot. Make it positional, with a "
+                                           "cone angle above 0 and below 90 degrees.");
+    return;
+  }
+  this->Internal->EditSettings(light).SmoothCone = share;
+  this->Modified();
+}
+
+double vtkShadowPass::GetLightSmoothCone(vtkLight* light) const
+{
+  return this->Internal->SettingsOf(light).SmoothCone;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightTexture(vtkLight* light, vtkTexture* texture)
+{
+  const std::string call = "SetLightTexture(" + Named(light) + ", " + Named(texture) + "): ";
+  if (!light)
+  {
+    vtkErrorMacro(<< call << "give a vtkLight.");
+    return;
+  }
+  if (texture && !IsSpot(light))
+  {
+    vtkErrorMacro(<< call
+                  << "the light is no spot, and has no cone to project an image through. Make it "
+                     "positional, with a cone angle above 0 and below 90 degrees.");
+    return;
+  }
+  if (texture && texture->GetCubeMap())
+  {
+    vtkErrorMacro(<< call << "the texture " << vtkShadowLightFalloffs::FaultOf(texture) << ".");
+    return;
+  }
+  this->Internal->EditSettings(light).Texture = texture;
+  this->Modified();
+}
+
+vtkTexture* vtkShadowPass::GetLightTexture(vtkLight* light) const
+{
+  return this->Internal->SettingsOf(light).Texture;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightTextureUp(vtkLight* light, double x, double y, double z)
+{
+  // Of a length that neither tiny nor huge vectors lose.
+  const double size = std::max({ std::abs(x), std::abs(y), std::abs(z) });
+  if (!light || !std::isfinite(x + y + z) || !(size > 0.0) || !std::isfinite(size))
+  {
+    vtkErrorMacro("SetLightTextureUp("
+      << light << ", " << x << ", " << y << ", " << z
+      << "): give a vtkLight and a finite vector that is not zero.");
+    return;
+  }
+  const double up[3] = { x / size, y / size, z / size };
+  std::copy_n(up, 3, this->Internal->EditSettings(light).TextureUp);
+  this->Modified();
+}
+
+void vtkShadowPass::GetLightTextureUp(vtkLight* light, double up[3]) const
+{
+  const LightSettings settings = this->Internal->SettingsOf(light);
+  std::copy_n(settings.TextureUp, 3, up);
 }
 
 //------------------------------------------------------------------------------

@@ -73,6 +73,7 @@ class vtkPlanarShadowPass;
 class vtkStencilShadowVolumePass;
 struct vtkShadowFrame;
 class vtkStringArray;
+class vtkTexture;
 
 class VTKSHADOWSPASSES_EXPORT vtkShadowPass : public vtkRenderPass
 {
@@ -135,8 +136,52 @@ public:
   double GetLightFade(vtkLight* light) const;
   ///@}
 
+  ///@{
   /**
-   * Forget technique, strength, radius, distance and fade of one light (nullptr: of all).
+   * How softly the cone of a spot light ends: the share of its angle, 0 (default: at once, as VTK
+   * has it) to 1, over which the light falls off before its side. It is 1 up to (1 - share) of the
+   * cone's angle and 0 at its side; between them it is the smoothstep (3 t^2 - 2 t^3) of the cosine
+   * of the angle, t its way from the side's cosine to the inner one's. It multiplies the light's
+   * colour, as VTK's exponent and attenuation do, for any technique and for "none"; like strength
+   * it is no part of the visibility that is read back. The light must be a spot (positional, cone
+   * angle below 90 degrees): else, or if the share is out of range, an error, and nothing changes.
+   */
+  void SetLightSmoothCone(vtkLight* light, double share);
+  double GetLightSmoothCone(vtkLight* light) const;
+  ///@}
+
+  ///@{
+  /**
+   * An image that a spot light projects, as a slide projector does; nullptr (default): none. It
+   * covers the square around the cone's circle: a receiver that the light sees at the tangents x to
+   * the right of its axis and y above it has the colour at (1 + x / tan(cone)) / 2 of the image's
+   * width and (1 + y / tan(cone)) / 2 of its height, beside the image black. That colour, alpha
+   * left aside, multiplies the light's; VTK's cone, exponent and attenuation, and
+   * SetLightSmoothCone, are in force as well. Right and up are those of someone who stands at the
+   * light and looks along it, with the vector of SetLightTextureUp above. The texture's own
+   * settings of interpolation, mipmaps, colour mapping and sRGB hold; its wrapping does not. For
+   * any technique and for "none"; no part of the visibility that is read back. The light must be a
+   * spot (positional, cone angle below 90 degrees), and the texture of one image: else an error,
+   * and nothing changes. A texture unit of the driver is taken for each texture of the frame: of 16
+   * and more some are at hand.
+   */
+  void SetLightTexture(vtkLight* light, vtkTexture* texture);
+  vtkTexture* GetLightTexture(vtkLight* light) const;
+  ///@}
+
+  ///@{
+  /**
+   * Which way is up in a projected image: a vector of the world, of any length (default 0, 0, 1),
+   * as the light sees it. Of a light that looks along it, to a thousandth, y is up instead, or z if
+   * the vector is nearer to y. Zero, and what is not finite, are errors and change nothing.
+   */
+  void SetLightTextureUp(vtkLight* light, double x, double y, double z);
+  void GetLightTextureUp(vtkLight* light, double up[3]) const;
+  ///@}
+
+  /**
+   * Forget technique, strength, radius, distance, fade, smooth cone and texture of one light
+   * (nullptr: of all).
    */
   void ClearLightSettings(vtkLight* light);
 

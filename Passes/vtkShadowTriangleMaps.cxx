@@ -395,9 +395,9 @@ std::vector<std::size_t> vtkShadowTriangleMaps::PlainCasters(const vtkShadowMapV
 
 //------------------------------------------------------------------------------
 void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths,
-  std::size_t slot, const vtkShadowMapView& view, int width, int height)
+  int depthLayer, std::size_t slot, const vtkShadowMapView& view, int width, int height)
 {
-  vtkShadowDrawScope target(frame.Window, depths, view.Layer, &this->Numbers, view.Layer);
+  vtkShadowDrawScope target(frame.Window, depths, depthLayer, &this->Numbers, view.Layer);
   target.ClearColour(nullptr);
   target.Confine(width, height, 1);
   const Part& part = this->Parts[slot];

@@ -40,10 +40,11 @@ public:
   std::vector<std::size_t> Update(const vtkShadowFrame& frame, const vtkShadowMapViews& views);
   const std::string& GetFault() const { return this->Fault; }
 
-  // Draws the casters of a view into its layers of `depths` and of the numbers. `plain`, casters of
-  // the view among the scene's props, are drawn by the caller, ahead of this: see PlainCasters.
-  void Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths, std::size_t slot,
-    const vtkShadowMapView& view, int width, int height);
+  // Draws the casters of a view into a layer of `depths` and into its layer of the numbers.
+  // `plain`, casters of the view among the scene's props, are drawn by the caller, ahead of this:
+  // see PlainCasters.
+  void Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths, int depthLayer,
+    std::size_t slot, const vtkShadowMapView& view, int width, int height);
   std::vector<std::size_t> PlainCasters(const vtkShadowMapView& view) const;
 
   // Grows when shaders must be written anew, with Declarations() ahead of the lookup's text.

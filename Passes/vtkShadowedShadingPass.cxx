@@ -5,6 +5,7 @@
 #include "vtkShadowCatcherFS.h"
 #include "vtkShadowCatchers.h"
 #include "vtkShadowDitherFS.h"
+#include "vtkShadowLightFalloffs.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowReceiverBufferFS.h"
@@ -167,6 +168,7 @@ void AppendToMain(std::string& source, const std::string& code)
 //------------------------------------------------------------------------------
 vtkShadowedShadingPass::vtkShadowedShadingPass()
   : Catchers(new vtkShadowCatchers)
+  , Falloffs(new vtkShadowLightFalloffs)
 {
 }
 
@@ -185,7 +187,8 @@ void vtkShadowedShadingPass::SetPlan(const std::vector<LightPlan>& plan)
     const LightPlan& light = plan[i];
     shape << (light.Technique ? light.Technique->GetTechniqueName() : "-") << light.Slot
           << static_cast<int>(light.Light->kind) << (light.Strength < 1.0f)
-          << (light.MaximumDistance > 0.0f) << ' ';
+          << (light.MaximumDistance > 0.0f) << (light.SmoothCone > 0.0)
+          << (light.Texture != nullptr) << ' ';
     if (!light.Technique)
     {
       continue;
@@ -238,6 +241,7 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
   {
     this->ShaderStage.Modified();
   }
+  this->Falloffs->Gather(frame, this->Plan);
   std::unordered_set<vtkProp*> dithered;
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
@@ -291,6 +295,18 @@ void vtkShadowedShadingPass::ActivateTextures()
     stamps.push_back(technique->GetReceiverStamp());
   }
   this->Catchers->ActivateMasks();
+  if (this->Falloffs->Activate())
+  {
+    this->ShaderStage.Modified();
+  }
+  if (!this->Falloffs->GetFault().empty() && this->Falloffs->GetFault() != this->FalloffFault)
+  {
+    vtkWarningMacro("No texture unit of this OpenGL driver is left for the image of light "
+      << this->Falloffs->GetFault()
+      << " (of those that are on, from 0): it falls off without it. Give lights the same "
+         "vtkTexture, or fewer of them one.");
+  }
+  this->FalloffFault = this->Falloffs->GetFault();
   if (stamps != this->ReceiverStamps)
   {
     this->ReceiverStamps = stamps;
@@ -322,6 +338,7 @@ void vtkShadowedShadingPass::Detach()
     technique->DeactivateTextures();
   }
   this->Catchers->DeactivateMasks();
+  this->Falloffs->Deactivate();
   this->ClampDepth(false);
   for (const auto& attached : this->Attached)
   {
@@ -495,7 +512,7 @@ std::string vtkShadowedShadingPass::Declarations() const
       code << "uniform vec2 " << DistanceUniform(i) << ";\n";
     }
   }
-  return code.str();
+  return code.str() + this->Falloffs->Declarations();
 }
 
 //------------------------------------------------------------------------------
@@ -590,13 +607,16 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader,
     const LightPlan& light = this->Plan[i];
     const std::string color = ColorUniform(i);
     const bool isTold = this->Tells(i, mapper, prop);
-    if (!Declares(fragmentShader, color) || (!isTold && !isCatcher))
+    const bool fallsOff = this->Falloffs->Has(i);
+    if (!Declares(fragmentShader, color) || (!isTold && !isCatcher && !fallsOff))
     {
       continue;
     }
+    const std::string arriving = fallsOff ? color + " * " + this->Falloffs->FactorCode(i) : color;
     if (!isTold)
     {
-      code << "  vec3 " << color << " = shadowCatcherLight(" << color << ", 1.0);\n";
+      code << "  vec3 " << color << " = "
+           << (isCatcher ? "shadowCatcherLight(" + arriving + ", 1.0)" : arriving) << ";\n";
       continue;
     }
     const bool isMask = light.Technique->GetVisibilityForm() == vtkShadowTechniquePass::MASK;
@@ -620,8 +640,8 @@ std::string vtkShadowedShadingPass::LightCode(const std::string& fragmentShader,
     }
     const std::string factor = this->FactorCode(i);
     code << "  vec3 " << color << " = "
-         << (isCatcher ? "shadowCatcherLight(" + color + ", " + factor + ")"
-                       : color + " * " + factor)
+         << (isCatcher ? "shadowCatcherLight(" + arriving + ", " + factor + ")"
+                       : arriving + " * " + factor)
          << ";\n";
   }
   return code.str();
@@ -878,6 +898,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
     technique->SetLookupParameters(program, prop);
     technique->SetObjectParameters(program, mapper, prop);
   }
+  this->Falloffs->SetParameters(program);
   if (isCatcher)
   {
     this->Catchers->SetParameters(program, prop);
@@ -950,6 +971,7 @@ vtkMTimeType vtkShadowedShadingPass::GetShaderStageMTime()
 void vtkShadowedShadingPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Catchers->ReleaseMasks();
+  this->Falloffs->Release(w);
   this->Superclass::ReleaseGraphicsResources(w);
 }
 

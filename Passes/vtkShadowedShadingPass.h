@@ -26,7 +26,7 @@
 #include "vtkShadowsPassesModule.h" // for export macro
 #include "vtkSmartPointer.h"        // for the keys attached to
 
-#include <memory>        // for the catchers
+#include <memory>        // for catchers and falloffs
 #include <string>        // for std::string
 #include <unordered_map> // for what is known of a prop
 #include <unordered_set> // for the same
@@ -34,8 +34,10 @@
 
 class vtkInformation;
 class vtkOpenGLState;
+class vtkTexture;
 class vtkShadowCasterCamera;
 class vtkShadowCatchers;
+class vtkShadowLightFalloffs;
 struct vtkShadowFrame;
 namespace vtkshadows
 {
@@ -77,8 +79,13 @@ public:
     float MaximumDistance = 0.0f; // of a receiver from the eye, for shadow; 0: any
     float Fade = 0.0f;            // the share of it over which shadow fades out
     const vtkshadows::ShadowLight* Light = nullptr;
+    // Of a spot: see vtkShadowPass::SetLightSmoothCone and SetLightTexture.
+    double SmoothCone = 0.0;
+    vtkTexture* Texture = nullptr;
+    double TextureUp[3] = { 0.0, 0.0, 1.0 };
 
     bool Weakens() const { return this->Strength < 1.0f || this->MaximumDistance > 0.0f; }
+    bool FallsOff() const { return this->SmoothCone > 0.0 || this->Texture; }
   };
   void SetPlan(const std::vector<LightPlan>& plan);
 
@@ -187,6 +194,8 @@ private:
   int ParallelEye = 0;
   vtkNew<vtkShadowCasterCamera> CasterCamera;
   std::unique_ptr<vtkShadowCatchers> Catchers;
+  std::unique_ptr<vtkShadowLightFalloffs> Falloffs;
+  std::string FalloffFault; // as it was last told
   bool DepthClamped = false;
 };
 

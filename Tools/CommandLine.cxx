@@ -16,6 +16,7 @@ namespace
 
 constexpr int MostLightSamples = 4096;
 constexpr int MostCascadesOfALight = 8;
+constexpr int MostObjectTaps = 4;
 
 // The options as they are written.
 struct RawOptions
@@ -36,6 +37,11 @@ struct RawOptions
   std::optional<int> lightSamples;
   std::optional<std::string> filter;
   std::optional<int> depthBits;
+  std::string objectType = "prop";
+  bool objectIDsAlone = false;
+  int objectDepthBits = 16;
+  int objectTaps = 2;
+  bool texturePerCaster = false;
   std::optional<double> isovalue;
   std::optional<int> frames;
   bool quiet = false;
@@ -48,7 +54,9 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     .add_option("--light", raw.lights,
       "a light; repeat for more. directional:DX,DY,DZ (the way it travels) or "
       "spot:PX,PY,PZ:FX,FY,FZ:CONE (degrees from the axis) or point:PX,PY,PZ, then any of "
-      "@color=R,G,B @intensity=V @radius=V @strength=V @distance=V @fade=V @technique=NAME. "
+      "@color=R,G,B @intensity=V @radius=V @strength=V @distance=V @fade=V @technique=NAME, and "
+      "for "
+      "a spot @falloff=V (share of its cone) @texture=FILE.png (an image that it projects). "
       "Default: one directional light from above")
     ->type_name("SPEC")
     ->allow_extra_args(false);
@@ -75,8 +83,8 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     ->type_name("N");
   app
     .add_option("--cascades", raw.cascades,
-      "depth maps of a directional light at most, 1 to " + std::to_string(MostCascadesOfALight) +
-        "; default: 1")
+      "depth or object-ID maps of a directional light at most, 1 to " +
+        std::to_string(MostCascadesOfALight) + "; default: 1")
     ->type_name("N");
   app
     .add_option("--light-samples", raw.lightSamples,
@@ -90,6 +98,25 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     ->type_name("NAME");
   app.add_option("--depth-bits", raw.depthBits, "of a depth map: 8, 16, 24 or 32 (default)")
     ->type_name("N");
+  app
+    .add_option("--object-type", raw.objectType,
+      "of object-id, what has an ID of its own: " + KnownObjectTypes())
+    ->type_name("NAME")
+    ->capture_default_str();
+  app.add_flag("--object-ids-alone", raw.objectIDsAlone,
+    "of object-id, no depths beside the IDs: no object shadows itself");
+  app
+    .add_option("--object-depth-bits", raw.objectDepthBits,
+      "of object-id, bits of the depths beside the IDs: 8, 16, 24 or 32")
+    ->type_name("N")
+    ->capture_default_str();
+  app
+    .add_option("--object-taps", raw.objectTaps,
+      "of object-id, N x N texels are tested, 1 to " + std::to_string(MostObjectTaps))
+    ->type_name("N")
+    ->capture_default_str();
+  app.add_flag("--texture-per-caster", raw.texturePerCaster,
+    "of shadow-texture, a texture for each mesh: casters take the shadows of others");
   app
     .add_option(
       "--isovalue", raw.isovalue, "where images are contoured; default: middle of the range")
@@ -213,6 +240,13 @@ StageSettings InterpretStage(const RawOptions& raw)
   }
   stage.depthBits = raw.depthBits.value_or(stage.depthBits);
   RequireDepthBits("--depth-bits", stage.depthBits, stage.filter);
+  RequireObjectType("--object-type", raw.objectType);
+  RequireObjectDepthBits("--object-depth-bits", raw.objectDepthBits);
+  stage.objectType = raw.objectType;
+  stage.objectDepths = !raw.objectIDsAlone;
+  stage.objectDepthBits = raw.objectDepthBits;
+  stage.objectTaps = raw.objectTaps;
+  stage.texturePerCaster = raw.texturePerCaster;
   return stage;
 }
 
@@ -257,6 +291,7 @@ Options Interpret(const RawOptions& raw, Job job)
   CheckCount("--resolution", raw.resolution);
   CheckCount("--cascades", raw.cascades, MostCascadesOfALight);
   CheckCount("--light-samples", raw.lightSamples, MostLightSamples);
+  CheckCount("--object-taps", raw.objectTaps, MostObjectTaps);
 
   Options options;
   options.inputs = raw.inputs;

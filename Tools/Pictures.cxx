@@ -1,10 +1,14 @@
 #include "Pictures.h"
 
+#include "Failure.h"
+
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
+#include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -38,6 +42,21 @@ std::string PngOfVisibility(vtkImageData* visibility)
     target[i] = static_cast<unsigned char>(std::lround(255.0 * seen));
   }
   return PngOfBytes(grey);
+}
+
+vtkSmartPointer<vtkTexture> ReadTexture(const std::string& option, const std::string& file)
+{
+  vtkNew<vtkPNGReader> reader;
+  if (!reader->CanReadFile(file.c_str()))
+  {
+    throw Failure(option, file, "is no PNG file that can be read", "give an image as a .png");
+  }
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(reader->GetOutput());
+  texture->InterpolateOn();
+  return texture;
 }
 
 }

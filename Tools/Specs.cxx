@@ -125,6 +125,18 @@ void ParseAttribute(
       spec.Fail("its fade leaves 0 to 1", "give the share of its distance, 0 to 1");
     }
   }
+  else if (key == "falloff")
+  {
+    light.falloff = spec.Number(value, key);
+    if (light.falloff < 0.0 || light.falloff > 1.0)
+    {
+      spec.Fail("its falloff leaves 0 to 1", "give the share of its cone's angle, 0 to 1");
+    }
+  }
+  else if (key == "texture" && !value.empty())
+  {
+    light.texture = value;
+  }
   else if (key == "technique" && !value.empty())
   {
     light.technique = value;
@@ -132,7 +144,8 @@ void ParseAttribute(
   else
   {
     spec.Fail("'@" + key + "=" + value + "' is not understood",
-      "use @color=R,G,B @intensity=V @radius=V @strength=V @distance=V @fade=V @technique=NAME");
+      "use @color=R,G,B @intensity=V @radius=V @strength=V @distance=V @fade=V @falloff=V "
+      "@texture=FILE.png @technique=NAME");
   }
 }
 
@@ -152,6 +165,11 @@ LightSpec ParseLight(const std::string& text)
     const bool hasValue = equals != std::string::npos;
     ParseAttribute(spec, parts[i].substr(0, equals),
       hasValue ? parts[i].substr(equals + 1) : std::string(), light);
+  }
+  if (light.kind != LightKind::Spot && (light.falloff > 0.0 || !light.texture.empty()))
+  {
+    spec.Fail("only a spot has a cone to fall off in or to project an image through",
+      "give a spot:PX,PY,PZ:FX,FY,FZ:CONE, or leave @falloff and @texture out");
   }
   return light;
 }

@@ -25,6 +25,8 @@ struct LightSpec
   double strength = 1.0; // 0 to 1
   double distance = 0.0; // from the eye, of its shadows; 0: any
   double fade = 0.1;     // share of it, 0 to 1
+  double falloff = 0.0;  // share of the cone's angle, see vtkShadowPass::SetLightSmoothCone; spot
+  std::string texture;   // an image that it projects, .png; spot; empty: none
   std::string technique; // empty: the default one
 };
 

@@ -1,6 +1,7 @@
 #include "Stage.h"
 
 #include "Failure.h"
+#include "Pictures.h"
 #include "Techniques.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <vtkShadowPass.h>
 #include <vtkShadowTexturePass.h>
 #include <vtkStencilShadowVolumePass.h>
+#include <vtkTexture.h>
 
 #include <algorithm>
 
@@ -64,10 +66,17 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   if (settings.cascades)
   {
     this->shadows->GetDepthShadowMapPass()->SetNumberOfCascades(*settings.cascades);
+    this->shadows->GetObjectIDShadowPass()->SetNumberOfCascades(*settings.cascades);
   }
   this->SetLightSamples(settings.lightSamples);
   this->shadows->GetDepthShadowMapPass()->SetFilter(settings.filter);
   this->shadows->GetDepthShadowMapPass()->SetDepthBits(settings.depthBits);
+  vtkObjectIDShadowPass* objects = this->shadows->GetObjectIDShadowPass();
+  objects->SetObjectType(settings.objectType);
+  objects->SetCombineDepth(settings.objectDepths);
+  objects->SetDepthBits(settings.objectDepthBits);
+  objects->SetTaps(settings.objectTaps);
+  this->shadows->GetShadowTexturePass()->SetTexturePerCaster(settings.texturePerCaster);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
@@ -195,6 +204,15 @@ void Stage::AddLight(const LightSpec& spec)
   this->shadows->SetLightStrength(light, spec.strength);
   this->shadows->SetLightMaximumDistance(light, spec.distance);
   this->shadows->SetLightFade(light, spec.fade);
+  if (spec.kind == LightKind::Spot)
+  {
+    this->shadows->SetLightSmoothCone(light, spec.falloff);
+  }
+  if (!spec.texture.empty())
+  {
+    this->shadows->SetLightTexture(light, ReadTexture("--light @texture", spec.texture));
+    this->shadows->SetLightTextureUp(light, this->axes.up.x, this->axes.up.y, this->axes.up.z);
+  }
   if (!spec.technique.empty())
   {
     this->shadows->SetLightTechnique(light, spec.technique);

@@ -19,6 +19,7 @@ class vtkImageData;
 class vtkLight;
 class vtkRenderer;
 class vtkShadowPass;
+class vtkTexture;
 
 namespace vtkshadows
 {
@@ -35,6 +36,11 @@ struct StageSettings
   std::optional<int> lightSamples;          // of a light with a radius
   std::string filter = "percentage-closer"; // of depth maps
   int depthBits = 32;                       // the same
+  std::string objectType = "prop";          // of object-ID maps, as are:
+  bool objectDepths = true;
+  int objectDepthBits = 16;
+  int objectTaps = 2;
+  bool texturePerCaster = false; // of shadow textures
 };
 
 class Stage

@@ -4,6 +4,7 @@
 
 #include <vtkDepthShadowMapPass.h>
 #include <vtkNew.h>
+#include <vtkObjectIDShadowPass.h>
 #include <vtkShadowPass.h>
 #include <vtkStringArray.h>
 
@@ -56,6 +57,25 @@ std::vector<std::string> FilterNames()
   return names;
 }
 
+std::vector<std::string> ObjectTypeNames()
+{
+  std::vector<std::string> names;
+  for (int type = 0; type < vtkObjectIDShadowPass::GetNumberOfObjectTypes(); ++type)
+  {
+    names.push_back(vtkObjectIDShadowPass::GetObjectTypeName(type));
+  }
+  return names;
+}
+
+void RequireBits(const std::string& option, int bits)
+{
+  if (bits != 8 && bits != 16 && bits != 24 && bits != 32)
+  {
+    throw Failure(
+      option, std::to_string(bits), "is no format of a depth map", "choose one of 8, 16, 24, 32");
+  }
+}
+
 std::vector<std::string> DebugViewNames()
 {
   return NamesFrom(vtkShadowPass::GetDebugViewNames);
@@ -90,16 +110,27 @@ void RequireFilter(const std::string& option, const std::string& name)
 
 void RequireDepthBits(const std::string& option, int bits, const std::string& filter)
 {
-  if (bits != 8 && bits != 16 && bits != 24 && bits != 32)
-  {
-    throw Failure(
-      option, std::to_string(bits), "is no format of a depth map", "choose one of 8, 16, 24, 32");
-  }
+  RequireBits(option, bits);
   if (!vtkDepthShadowMapPass::HasDepthBits(filter, bits))
   {
     throw Failure(option, std::to_string(bits), "is no format of the filter " + filter,
       "choose one of 16, 24, 32, or another --filter");
   }
+}
+
+std::string KnownObjectTypes()
+{
+  return ListOf(ObjectTypeNames());
+}
+
+void RequireObjectType(const std::string& option, const std::string& name)
+{
+  Require(ObjectTypeNames(), option, name, "is no object that has an ID of its own");
+}
+
+void RequireObjectDepthBits(const std::string& option, int bits)
+{
+  RequireBits(option, bits);
 }
 
 std::string KnownDebugViews()

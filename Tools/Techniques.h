@@ -22,6 +22,11 @@ std::string KnownFilters();
 void RequireFilter(const std::string& option, const std::string& name);
 void RequireDepthBits(const std::string& option, int bits, const std::string& filter);
 
+// The same of what object-ID maps tell apart, and of the depths beside the IDs.
+std::string KnownObjectTypes();
+void RequireObjectType(const std::string& option, const std::string& name);
+void RequireObjectDepthBits(const std::string& option, int bits);
+
 // The same of the views that explain, and the techniques that a view explains.
 std::string KnownDebugViews();
 std::vector<std::string> TechniquesExplainedBy(const std::string& view);

@@ -2,16 +2,15 @@
 
 uniform sampler2DArray shadowDepthMaps;
 
-#ifdef SHADOW_DEPTH_MAP_RAMP
-// From steps of the ramp to the depths at their far ends: what is held against them is in no later step.
-vec4 shadowDepthMapOfRamp(int layer, vec4 ramp)
+#ifdef SHADOW_DEPTH_MAP_STEP
+// From steps of the distance to the depths at their far ends: what is held against them is in no later step.
+vec4 shadowDepthMapOfDistance(int layer, vec4 distance)
 {
-  float ratio = shadowDepthMapViews[layer].z;
-  vec4 way = min(ramp + 0.5 / 255.0, 1.0);
-  return way / (ratio + (1.0 - ratio) * way);
+  vec4 way = min(distance + SHADOW_DEPTH_MAP_STEP, 1.0);
+  return way / (way + shadowDepthMapViews[layer].z * (1.0 - way));
 }
 #else
-#define shadowDepthMapOfRamp(layer, depth) (depth)
+#define shadowDepthMapOfDistance(layer, depth) (depth)
 #endif
 
 // Depths of the texels (0,1), (1,1), (1,0), (0,0) beside the corner at `corner` (in texels).
@@ -29,7 +28,7 @@ vec4 shadowDepthMapGather(int layer, vec2 corner)
     texelFetch(shadowDepthMaps, ivec3(high.x, low.y, layer), 0).r,
     texelFetch(shadowDepthMaps, ivec3(low, layer), 0).r);
 #endif
-  return shadowDepthMapOfRamp(layer, depth);
+  return shadowDepthMapOfDistance(layer, depth);
 }
 
 // Each of the four texels is compared, at its own centre, with the receiver's plane there. f: from the centre of

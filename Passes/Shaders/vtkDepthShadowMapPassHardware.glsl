@@ -8,6 +8,10 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   const vec2 perTexel = 1.0 / vec2(SHADOW_DEPTH_MAP_WIDTH, SHADOW_DEPTH_MAP_HEIGHT);
   float slack = shadowDepthMapSlack(slope, 1.5);
   vec2 at = shadowDepthMapWrapped(layer, p.xy);
-  return texture(
-    shadowDepthMaps, vec4(at * perTexel, float(layer), clamp(p.z - slack, 0.0, 1.0)));
+  float reference = clamp(p.z - slack, 0.0, 1.0);
+#ifdef SHADOW_DEPTH_MAP_STEP
+  float reach = shadowDepthMapViews[layer].z * reference;
+  reference = max(reach / (1.0 - reference + reach) - SHADOW_DEPTH_MAP_STEP, 0.0);
+#endif
+  return texture(shadowDepthMaps, vec4(at * perTexel, float(layer), reference));
 }

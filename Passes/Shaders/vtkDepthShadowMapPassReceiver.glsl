@@ -3,7 +3,8 @@
 //   SHADOW_DEPTH_MAP_WIDTH, _HEIGHT   a layer's texels
 //   SHADOW_DEPTH_MAP_LAYERS           layers that the arrays below have room for
 //   SHADOW_DEPTH_MAP_QUANTUM          the step of the map's format, as depth, where it is more than a float's
-//   SHADOW_DEPTH_MAP_RAMP             if texels are eight bits of the distance from the light
+//   SHADOW_DEPTH_MAP_STEP             if texels are steps of the distance from the light: how far a step reaches
+//                                     beyond its texel, as a share of the way from the near plane to the far one
 //   SHADOW_DEPTH_MAP_CONSTANT_BIAS, _SLOPE_BIAS   if the bias is the user's: depth, and depth per slope
 //   SHADOW_DEPTH_MAP_REPEATS or _CLAMPS           if the map does so beyond its sides
 

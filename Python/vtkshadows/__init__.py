@@ -40,11 +40,11 @@ import numpy
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
@@ -53,6 +53,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderPass,
     vtkRenderWindow,
+    vtkTexture,
     vtkWindowToImageFilter,
 )
 
@@ -81,8 +82,10 @@ __all__ = [
     "error",
     "screenshot",
     "set_casts_shadows",
+    "set_light_texture",
     "set_receives_shadows",
     "set_shadow_catcher",
+    "set_smooth_cone",
     "set_stand_in",
     "techniques",
     "visibility",
@@ -137,8 +140,8 @@ def enable(
         32 (a float). With 24 there are 255 IDs, which further objects share; else 65535.
     object_taps : object-id: test n x n texels, 1 to 4 (2): blended, or without depths in shadow where all
         agree.
-    cascades : depth-map: maps of a directional light at most, 1 to 8 (1): each as
-        fine as what it serves is near. For a scene that reaches far beyond what is near to the eye.
+    cascades : depth-map and object-id: maps of a directional light at most, 1 to 8 (1): each as fine as what
+        it serves is near. For a scene that reaches far beyond what is near to the eye.
     light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
         4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
     filter : depth-map: how a receiver is held against the map: "percentage-closer" (default), "none",
@@ -408,6 +411,71 @@ def set_shadow_catcher(
     _set_catcher(actor, catches, *_check_catcher(color, strength, fade))
 
 
+def set_smooth_cone(renderer: Any, light: Union[vtkLight, int], share: float) -> None:
+    """Let a spot light fall off softly over a share of its cone's angle, 0 (at once) to 1, before its side.
+
+    Between (1 - share) of the angle and the side it is the smoothstep of the angle's cosine. It multiplies
+    the light's colour, whatever its technique, and is no part of `visibility`. See
+    vtkShadowPass::SetLightSmoothCone.
+
+    Raises
+    ------
+    ValueError : no such light, the share is out of range, or shadows are not enabled here (technique
+        "none" will do).
+    RuntimeError : the light is no spot; VTK's message.
+
+    >>> vtkshadows.set_smooth_cone(renderer, 0, 0.3)
+    """
+    renderer = _find_renderer(renderer)
+    shadows = _require_shadow_pass(renderer)
+    light = _find_light(renderer, light)
+    share = _number("share", share, 0, 1)
+    with _VtkErrors(shadows):
+        shadows.SetLightSmoothCone(light, share)
+
+
+def set_light_texture(
+    renderer: Any, light: Union[vtkLight, int], image: Any, up: Any = None
+) -> Optional[vtkTexture]:
+    """Let a spot light project an image, as a slide projector does; None: no more.
+
+    The image covers the square around the circle of the light's cone; its colours multiply the light's,
+    whatever its technique, and are no part of `visibility`. See vtkShadowPass::SetLightTexture.
+
+    Parameters
+    ----------
+    image : a vtkTexture, a vtkImageData, the name of a .png file, or a NumPy array of bytes, (height,
+        width) or (height, width, 3 or 4), row 0 at the top.
+    up : three numbers, world: what is up in the image, as the light sees it. Left out: as it was, at first
+        (0, 0, 1).
+
+    Returns
+    -------
+    The texture, for its settings of interpolation and colour.
+
+    Raises
+    ------
+    ValueError : no such light, no image, or shadows are not enabled here (technique "none" will do).
+    RuntimeError : the light is no spot; VTK's message.
+
+    >>> vtkshadows.set_light_texture(renderer, 0, "window.png")
+    """
+    renderer = _find_renderer(renderer)
+    shadows = _require_shadow_pass(renderer)
+    light = _find_light(renderer, light)
+    texture = _texture_of(image)
+    if up is not None:
+        up = [_finite("up", each) for each in _vector("up", up)]
+        if not any(up):
+            raise ValueError("up: (0, 0, 0) is no direction; give the way that is up in the image")
+    with _VtkErrors(shadows):
+        shadows.SetLightTexture(light, texture)
+    with _VtkErrors(shadows):
+        if up is not None:
+            shadows.SetLightTextureUp(light, *up)
+    return texture
+
+
 def add_floor(
     renderer: Any,
     shadow: Optional[str] = None,
@@ -552,6 +620,54 @@ def screenshot(window: Any, path: Any, transparent: bool = True) -> None:
     writer.Write()
     with open(path, "wb") as file:
         file.write(vtk_to_numpy(writer.GetResult()).tobytes())
+
+
+# --- Images that lights project --------------------------------------------------------------------
+
+
+def _texture_of(image: Any) -> Optional[vtkTexture]:
+    if image is None or isinstance(image, vtkTexture):
+        return image
+    texture = vtkTexture()
+    texture.InterpolateOn()
+    if isinstance(image, vtkImageData):
+        texture.SetInputData(image)
+    elif isinstance(image, numpy.ndarray):
+        texture.SetInputData(_image_of_pixels(image))
+    else:
+        texture.SetInputData(_read_png(image))
+    return texture
+
+
+def _image_of_pixels(pixels: numpy.ndarray) -> vtkImageData:
+    shape = pixels.shape if pixels.ndim == 3 else (*pixels.shape, 1)
+    if pixels.ndim not in (2, 3) or pixels.dtype != numpy.uint8 or shape[2] not in (1, 3, 4) or 0 in shape:
+        raise ValueError(
+            f"image: an array of shape {pixels.shape} and type {pixels.dtype} is none; give uint8, "
+            "(height, width) or (height, width, 3 or 4)"
+        )
+    image = vtkImageData()
+    image.SetDimensions(shape[1], shape[0], 1)
+    # VTK's rows go up from the bottom.
+    rows = numpy.ascontiguousarray(pixels[::-1]).reshape(-1, shape[2])
+    image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=True))
+    return image
+
+
+def _read_png(path: Any) -> vtkImageData:
+    try:
+        path = os.fspath(path)
+    except TypeError:
+        raise ValueError(
+            f"image: {_kind(path)} is none; give a vtkTexture, a vtkImageData, an array or a .png file"
+        ) from None
+    reader = vtkPNGReader()
+    if not os.path.isfile(path) or not reader.CanReadFile(path):
+        raise ValueError(f"image: {path!r} is no .png file that can be read; give another, or an array")
+    reader.SetFileName(path)
+    with _VtkErrors(None, reader):
+        reader.Update()
+    return reader.GetOutput()
 
 
 # --- Floors and catchers ---------------------------------------------------------------------------
@@ -739,6 +855,7 @@ def _set_object_taps(shadows, renderer, value):
 
 def _set_cascades(shadows, renderer, value):
     shadows.GetDepthShadowMapPass().SetNumberOfCascades(value)
+    shadows.GetObjectIDShadowPass().SetNumberOfCascades(value)
 
 
 _FILTERS = {

@@ -13,6 +13,7 @@
 #include <vtkImageShiftScale.h>
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
+#include <vtkTexture.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -178,6 +179,33 @@ TEST_F(Regression, TwoColouredLights)
   AddSun(this->Renderer, -Toward(-70.0, 45.0))->SetColor(0.3, 0.5, 0.9);
   this->AddFillLight();
   this->CheckPicture("TwoColouredLights");
+}
+
+// A window's light through its bars, and a lamp with a smooth side.
+TEST_F(Regression, ProjectedImage)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 64 * 64; ++i)
+  {
+    const int x = i % 64, y = i / 64;
+    const bool isBar = x % 21 < 3 || y % 31 < 3;
+    for (int c = 0; c < 3; ++c)
+    {
+      image->SetScalarComponentFromDouble(x, y, 0, c, isBar ? 20.0 : c == 2 ? 4.0 * x : 255.0);
+    }
+  }
+  vtkNew<vtkTexture> window;
+  window->SetInputData(image);
+  window->InterpolateOn();
+  auto spot = AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 24.0);
+  auto lamp = AddSpot(this->Renderer, { -3.0, -2.5, 4.0 }, { -0.5, 0.0, 0.0 }, 28.0);
+  lamp->SetColor(0.5, 0.6, 0.9);
+  this->Shadows->SetLightTexture(spot, window);
+  this->Shadows->SetLightSmoothCone(lamp, 0.8);
+  this->AddFillLight();
+  this->CheckPicture("ProjectedImage");
 }
 
 TEST_F(Regression, AreaLightByRayCast)

@@ -3,9 +3,11 @@ import math
 import types
 import unittest
 
+import numpy
 import vtkshadows
 from scene import Scene
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkTexture
 
 SCENE = Scene()
 
@@ -74,6 +76,9 @@ class TestArguments(unittest.TestCase):
         )
         self.assertEqual((objects.GetObjectType(), objects.GetDepthBits(), objects.GetTaps()), (3, 24, 3))
         self.assertFalse(objects.GetSelfShadows())
+        vtkshadows.enable(SCENE.renderer, cascades=3)
+        self.assertEqual(objects.GetNumberOfCascades(), 3)
+        self.assertEqual(shadows.GetDepthShadowMapPass().GetNumberOfCascades(), 3)
         self.assertEqual(shadows.GetLightStrength(SCENE.light), 0.25)
         self.assertEqual(shadows.GetLightRadius(SCENE.light), 2)
         maps = shadows.GetDepthShadowMapPass()
@@ -148,6 +153,59 @@ class TestArguments(unittest.TestCase):
         self.assert_refused("not a vtkProp", vtkshadows.set_receives_shadows, SCENE.light, True)
         self.assert_refused("not a vtkProp", vtkshadows.set_stand_in, SCENE.light, None)
         self.assert_refused("str is not a vtkPolyData", vtkshadows.set_stand_in, SCENE.sphere, "hull")
+
+    def test_falloff(self):
+        """Of a spot, from an image however it is given; a directional light has none."""
+        pixels = numpy.full((4, 6, 3), 51, "uint8")
+        pixels[0] = 255  # the row at the top
+        spot = SCENE.add_light((0, 0, 4))
+        spot.PositionalOn()
+        spot.SetConeAngle(30)
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 1)
+        image.AllocateScalars(3, 3)
+        arguments = (SCENE.renderer, 1)
+        self.assert_refused("no shadows; call vtkshadows.enable", vtkshadows.set_smooth_cone, *arguments, 0.5)
+        shadows = vtkshadows.enable(SCENE.renderer, "none")
+        try:
+            vtkshadows.set_smooth_cone(*arguments, 0.5)
+            self.assertEqual(shadows.GetLightSmoothCone(spot), 0.5)
+            vtkshadows.set_smooth_cone(*arguments, 0)
+            for each in (pixels, pixels[..., 0], image, vtkTexture()):
+                texture = vtkshadows.set_light_texture(*arguments, each, up=(0, 2, 0))
+                self.assertIs(shadows.GetLightTexture(spot), texture)
+            up = [0.0, 0.0, 0.0]
+            shadows.GetLightTextureUp(spot, up)
+            self.assertEqual(up, [0, 1, 0])
+            # The row at the top is where y is high, and lets five times as much through.
+            vtkshadows.set_light_texture(*arguments, pixels)
+            SCENE.light.SetSwitch(0)
+            frame = SCENE.frame().astype(int)
+            reach = 4 * math.tan(math.radians(30))
+            high, low = (frame[SCENE.pixel(0, y * reach)] for y in (0.8, -0.8))
+            print(f"at the top: got {high}, expected five times {low}, tolerance 6")
+            self.assertTrue((abs(high - 5 * low) <= 6).all() and high.min() > 50)
+            SCENE.light.SetSwitch(1)
+            for pattern, call, *wrong in (
+                ("share: 1.5 is out of range; give 0 to 1", vtkshadows.set_smooth_cone, 1.5),
+                ("share: nan is out of range", vtkshadows.set_smooth_cone, math.nan),
+                ("image: 'missing.png' is no .png file", vtkshadows.set_light_texture, "missing.png"),
+                ("image: int is none; give a vtkTexture", vtkshadows.set_light_texture, 3),
+                ("shape \\(4, 6, 2\\).* give uint8", vtkshadows.set_light_texture, pixels[..., :2]),
+                ("type float64 is none", vtkshadows.set_light_texture, pixels / 255),
+                ("up: \\(0, 0, 0\\) is no direction", vtkshadows.set_light_texture, pixels, (0, 0, 0)),
+                ("up: nan is not a finite number", vtkshadows.set_light_texture, pixels, (0, 0, math.nan)),
+            ):
+                self.assert_refused(pattern, call, *arguments, *wrong)
+            sun = (SCENE.renderer, 0)
+            self.assert_refused("no spot", vtkshadows.set_smooth_cone, *sun, 0.5, kind=RuntimeError)
+            self.assert_refused("no spot", vtkshadows.set_light_texture, *sun, pixels, kind=RuntimeError)
+            self.assertIsNotNone(vtkshadows.set_light_texture(*arguments, pixels))
+            self.assertIsNone(vtkshadows.set_light_texture(*arguments, None))
+            self.assertIsNone(shadows.GetLightTexture(spot))
+        finally:
+            SCENE.light.SetSwitch(1)
+            SCENE.renderer.RemoveLight(spot)
 
     def test_vtk_errors_are_raised(self):
         """What only VTK can find out comes as a RuntimeError with its message, and is not printed."""

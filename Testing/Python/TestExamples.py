@@ -23,8 +23,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     TEXTURE_EXAMPLE,
     CASCADES_EXAMPLE,
     SOFT_EXAMPLE,
-) = sys.argv[1:12]
-FOLDER = pathlib.Path(sys.argv[12])
+    IMAGE_EXAMPLE,
+) = sys.argv[1:13]
+FOLDER = pathlib.Path(sys.argv[13])
 
 
 def read_png(path):
@@ -184,6 +185,18 @@ class TestExamples(unittest.TestCase):
         print(f"errors: got {hard}, {sampled} and {soft}, expected the second and third at most half of the first")
         self.assertLessEqual(max(sampled, soft), hard / 2)
         self.assertEqual(read_png(picture).shape[:2], (480, 640))
+
+    def test_projected_texture(self):
+        file = FOLDER / "projected_texture.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, IMAGE_EXAMPLE, str(file))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        share = float(re.search(r"cone: ([\d.]+) %", done.stdout)[1])
+        picture = read_png(file).astype(int)
+        warm = int((picture[..., 0] > picture[..., 2] + 30).sum())
+        print(f"in shadow: got {share} %, expected 1 to 20; pixels lit through panes: got {warm}, expected 5000 or more")
+        self.assertTrue(1 < share < 20)
+        self.assertGreaterEqual(warm, 5000)
 
 
 if __name__ == "__main__":

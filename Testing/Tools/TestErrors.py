@@ -103,6 +103,10 @@ refused_option(["no filter"], "--filter", "soft-ish", "percentage-closer")
 refused_option(["no format"], "--depth-bits", "12", "8, 16, 24, 32")
 refused(["--depth-bits 8", "variance", "another --filter"], "render", "mesh.off", *PICTURE,
         "--filter", "variance", "--depth-bits", "8")  # fmt: skip
+refused_option(["no object"], "--object-type", "atom", "prop, block, instance, piece")
+refused_option(["no format"], "--object-depth-bits", "12", "8, 16, 24, 32")
+refused_option(["less than 1"], "--object-taps", "0", "1 or more")
+refused_option(["more than 4"], "--object-taps", "5", "1 to 4")
 refused_option(["no view"], "--debug", "x-ray", "volumes, silhouette, counts")
 for words in ([], ["--technique", "ray-cast"], ["--light", "point:1,2,3@technique=none"]):
     technique = words[1].split("=")[-1] if words else "depth-map"
@@ -123,6 +127,14 @@ refused_option(["no kind of light"], "--light", "sun", "spot:PX,PY,PZ")
 refused_option(["strength"], "--light", "point:1,2,3@strength=1.5", "0 (no shadow) to 1")
 refused_option(["fade"], "--light", "point:1,2,3@fade=1.5", "0 to 1")
 refused_option(["distance"], "--light", "point:1,2,3@distance=-2", "0")
+SPOT = "spot:3,-3,5:0,0,0:30"
+refused_option(["falloff"], "--light", SPOT + "@falloff=1.5", "0 to 1")
+refused_option(["falloff"], "--light", SPOT + "@falloff=nan", "finite")
+refused_option(["only a spot"], "--light", "point:1,2,3@falloff=0.5", "give a spot")
+refused_option(["only a spot"], "--light", "directional:1,2,-3@texture=picture.png", "give a spot")
+for file in ("missing.png", "void.ply", "mesh.off", "folder"):
+    refused(["--light @texture " + file, "no PNG file", "give an image"], "render", "mesh.off", *PICTURE,
+            "--light", SPOT + "@texture=" + file)  # fmt: skip
 refused_option(["radius is negative"], "--light", "point:1,2,3@radius=-1", "0 or more")
 refused_option(["intensity is negative"], "--light", "point:1,2,3@intensity=-1", "0 or more")
 refused_option(["color"], "--light", "point:1,2,3@color=0,0,2", "0 to 1")

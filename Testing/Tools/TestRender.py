@@ -127,6 +127,44 @@ succeed("render", *SUN, "--cascades", 4, "-o", "four-maps.png")
 unlike = sum(a != b for rows in zip(Image("one-map.png").rows, Image("four-maps.png").rows) for a, b in zip(*rows))
 check(f"--cascades 4: at most 20 of {unlike} pixels are unlike one map's", unlike <= 20, True)
 
+# Options of object-ID maps and shadow textures. With depths the plate's mask is the depth map's whatever has an ID.
+for options in (["--object-type", "piece"], ["--object-depth-bits", 8], ["--object-taps", 4], ["--object-ids-alone"],
+                ["--cascades", 3]):  # fmt: skip
+    succeed("render", *SCENE, "--light", light, "--technique", "object-id", *options,
+            "-o", "objects.png", "--visibility", "objects-mask.png")  # fmt: skip
+    check(f"{options}: mask in the shadow", mask_at(Image("objects-mask-0.png"), 0, 1), 0)
+    check(f"{options}: mask on the plate", mask_at(Image("objects-mask-0.png"), 0, 0), 255)
+# A texture each: beside the smaller plate above it, the lower one is in its shadow.
+write_plate("upper.off", height=2.0, half=0.3)
+for options, expected in (([], 255), (["--texture-per-caster"], 0)):
+    succeed("render", "plate.off", "upper.off", *SCENE[1:], "--light", "directional:0,0.2,-1",
+            "--technique", "shadow-texture", *options, "-o", "plates.png", "--visibility", "plates-mask.png")  # fmt: skip
+    check(f"{options}: mask on the lower plate, in the shadow of the upper one",
+          mask_at(Image("plates-mask-0.png"), 0, 0.44), expected)  # fmt: skip
+
+# A spot straight above, whose cone falls off by the smoothstep of the angle's cosine; beside the plate.
+SPOT = "spot:0,0,10:0,0,0:10"
+for name, attributes in (("spot", ""), ("falloff", "@falloff=0.8"), ("ambient", "@intensity=0"),
+                         ("projected", "@texture=stencil-volume-mask-0.png")):  # fmt: skip
+    succeed("render", *SCENE, "--technique", "none", "--light", SPOT + attributes, "-o", f"{name}.png")
+plain, falloff, ambient, projected = (Image(f"{name}.png") for name in ("spot", "falloff", "ambient", "projected"))
+for y in (-0.7, -1.0, -1.3):
+    column, row = pixel(0, y)
+    place = (HEIGHT / 2 - row - 0.5) / PIXELS_PER_UNIT  # of the pixel's middle
+    cosine, side, inner = (math.cos(angle) for angle in
+                           (math.atan(abs(place) / 10), math.radians(10), math.radians(2)))  # fmt: skip
+    t = (cosine - side) / (inner - side)
+    unlit = ambient.rows[row][column][0]
+    full = plain.rows[row][column][0] - unlit
+    check(f"light at y = {y}: more than 50 of {full}", full > 50, True)
+    check(f"falloff at y = {y}", falloff.rows[row][column][0] - unlit, full * t * t * (3 - 2 * t), 2)
+# And that projects a mask, dark above its middle. The light looks along the scene's up: so y is up in the image.
+for y, share in ((0.31, 0), (-0.31, 1)):
+    column, row = pixel(0, y)
+    unlit = ambient.rows[row][column][0]
+    check(f"light that the image lets through at y = {y}", projected.rows[row][column][0] - unlit,
+          share * (plain.rows[row][column][0] - unlit), 1)  # fmt: skip
+
 # JSON names each light's own technique, and has the frame's times.
 succeed("render", *SCENE, "-o", "timed.png", "--json", "timed.json", "--frames", 2,
         "--light", light, "--light", "directional:1,0,-1@technique=ray-cast")  # fmt: skip
