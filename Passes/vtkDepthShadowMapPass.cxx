@@ -738,6 +738,19 @@ void vtkDepthShadowMapPass::DeactivateTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkDepthShadowMapPass::GetTextureMemory() const
+{
+  const Internals& my = *this->Internal;
+  return static_cast<vtkIdType>(my.Maps.Bytes() + my.Depths.Bytes() + my.Moments.Bytes() +
+    my.Sampled.Textures.Bytes() + my.Triangles.TextureBytes());
+}
+
+vtkIdType vtkDepthShadowMapPass::GetCasterMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Triangles.CasterBytes());
+}
+
+//------------------------------------------------------------------------------
 void vtkDepthShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   Internals& my = *this->Internal;

@@ -200,6 +200,8 @@ public:
   ///@}
 
   const char* GetTechniqueName() const override { return "depth-map"; }
+  vtkIdType GetTextureMemory() const override;
+  vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

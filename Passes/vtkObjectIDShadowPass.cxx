@@ -360,6 +360,18 @@ void vtkObjectIDShadowPass::DeactivateTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkObjectIDShadowPass::GetTextureMemory() const
+{
+  const Internals& my = *this->Internal;
+  return static_cast<vtkIdType>(my.Maps.Bytes() + my.Depth.Bytes() + my.RangeTexture.Bytes());
+}
+
+vtkIdType vtkObjectIDShadowPass::GetCasterMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Objects.Bytes());
+}
+
+//------------------------------------------------------------------------------
 void vtkObjectIDShadowPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   Internals& my = *this->Internal;

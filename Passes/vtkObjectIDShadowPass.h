@@ -103,6 +103,8 @@ public:
   int GetNumberOfObjects() const;
 
   const char* GetTechniqueName() const override { return "object-id"; }
+  vtkIdType GetTextureMemory() const override;
+  vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

@@ -58,6 +58,7 @@ public:
   void End(const vtkShadowFrame& frame);
 
   void Release();
+  std::size_t Bytes() const { return this->Marks.Bytes() + this->Sums.Bytes(); } // of textures
 
 private:
   void ClearMarks(const vtkShadowFrame& frame, int mark);

@@ -944,6 +944,22 @@ vtkShadowTextureArray* vtkPlanarShadowPass::GetTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkPlanarShadowPass::GetTextureMemory() const
+{
+  const Internals& my = *this->Internal;
+  return static_cast<vtkIdType>(my.Masks.Bytes() + my.Depths.Bytes() + my.PlanesOfPixels.Bytes() +
+    my.Textures.Bytes() + my.Canvas.Bytes() + my.TextureCanvas.Bytes());
+}
+
+vtkIdType vtkPlanarShadowPass::GetCasterMemory() const
+{
+  std::size_t bytes = 0;
+  this->Internal->Meshes.ForEach(
+    [&bytes](const vtkShadowCasterMesh& caster) { bytes += caster.Mesh.MemoryInBytes(); });
+  return static_cast<vtkIdType>(bytes);
+}
+
+//------------------------------------------------------------------------------
 void vtkPlanarShadowPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   Internals& my = *this->Internal;

@@ -168,6 +168,8 @@ public:
 
   const char* GetTechniqueName() const override { return "planar"; }
   VisibilityForm GetVisibilityForm() const override { return this->PlaneTextures ? LOOKUP : MASK; }
+  vtkIdType GetTextureMemory() const override;
+  vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

@@ -22,8 +22,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 vtkStandardNewMacro(vtkRayCastShadowPass);
@@ -256,6 +258,7 @@ public:
   glm::dmat4 TraceFromWorld{ 1.0 };
   double Scale = 1.0;
   vtkShadowTextureArray Masks;
+  std::atomic<std::int64_t> TreeBytes{ 0 }; // as Embree tells, from all its threads
 
   ~Internals()
   {
@@ -369,6 +372,14 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
         << "): lights of the technique \"ray-cast\" are lit. Use \"depth-map\" on this machine.");
       return false;
     }
+    rtcSetDeviceMemoryMonitorFunction(
+      my.Device,
+      [](void* bytes, ssize_t change, bool)
+      {
+        *static_cast<std::atomic<std::int64_t>*>(bytes) += change;
+        return true;
+      },
+      &my.TreeBytes);
   }
   const vtkMTimeType stamp = frame.Scene->GetCasterStamp();
   if (my.Built && my.BuiltStamp == stamp)
@@ -553,6 +564,17 @@ double vtkRayCastShadowPass::TimeBareTracing(const vtkShadowFrame& frame)
 vtkShadowTextureArray* vtkRayCastShadowPass::GetTextures()
 {
   return &this->Internal->Masks;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRayCastShadowPass::GetTextureMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Masks.Bytes());
+}
+
+vtkIdType vtkRayCastShadowPass::GetCasterMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->TreeBytes);
 }
 
 //------------------------------------------------------------------------------

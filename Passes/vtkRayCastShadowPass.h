@@ -69,6 +69,8 @@ public:
 
   const char* GetTechniqueName() const override { return "ray-cast"; }
   VisibilityForm GetVisibilityForm() const override { return MASK; }
+  vtkIdType GetTextureMemory() const override;
+  vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

@@ -48,6 +48,15 @@ public:
     return entry.Kept;
   }
 
+  template <typename Use>
+  void ForEach(const Use& use) const
+  {
+    for (const auto& known : this->Known)
+    {
+      use(known.second.Kept);
+    }
+  }
+
 private:
   using Key = std::pair<vtkProp3D*, vtkMapper*>;
   struct Entry

@@ -515,6 +515,26 @@ vtkShadowTextureBuffer* vtkShadowObjects::TableOf(
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkShadowObjects::Bytes() const
+{
+  std::size_t bytes = this->Boxes.size() * sizeof(Box);
+  for (const auto& table : this->Tables)
+  {
+    bytes += table.second->IDs.size() * sizeof(float) + table.second->Texture.Bytes();
+  }
+  this->Split.ForEach(
+    [&bytes](const PiecesByMesh& meshes)
+    {
+      for (const auto& mesh : meshes)
+      {
+        bytes += mesh.second.OfPoint.size() * sizeof(std::uint32_t) +
+          mesh.second.CornersMC.size() * sizeof(vtkshadows::BoxCorners);
+      }
+    });
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowObjects::Release()
 {
   this->Tables.clear();

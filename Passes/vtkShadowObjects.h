@@ -66,6 +66,9 @@ public:
   // Forget the tables of vertices.
   void Release();
 
+  // What it has of the casters: tables of vertices, and boxes.
+  std::size_t Bytes() const;
+
 private:
   // A box of an object; several may have the same.
   struct Box

@@ -7,6 +7,7 @@
 #include "vtkShadowMeasured.h"
 #include "vtkShadowReceiverBuffer.h"
 #include "vtkShadowSceneData.h"
+#include "vtkShadowStageClock.h"
 #include "vtkShadowTexturePass.h"
 #include "vtkShadowedShadingPass.h"
 #include "vtkStencilShadowVolumePass.h"
@@ -57,6 +58,10 @@ namespace
 const char* const NoTechnique = "none";
 
 const char* const NoView = "none";
+
+// Beside the techniques' names.
+const char* const SceneStage = "scene";
+const char* const ShadingStage = "shading";
 const std::vector<std::string> DebugViews = { "volumes", "silhouette", "counts", "cascades",
   "texel-density", "map", "lit-part" };
 
@@ -211,6 +216,8 @@ public:
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkShadowFramePass> FramePass;
   vtkShadowReceiverBuffer Receivers;
+  vtkShadowStageClock Clock;
+  bool TimeStages = false;
 
   vtkShadowTechniquePass* Find(const std::string& name) const
   {
@@ -356,6 +363,7 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
 bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStrength, bool always)
 {
   this->Receivers.Invalidate();
+  this->Clock.Start(SceneStage);
   this->Scene->Gather(frame.Renderer);
   std::vector<vtkShadowedShadingPass::LightPlan> plan = this->PlanLights(withStrength);
   const bool any = std::any_of(plan.begin(), plan.end(),
@@ -406,7 +414,12 @@ void vtkShadowPass::Internals::UpdateTechniques(
         lights.push_back(static_cast<int>(i));
       }
     }
-    if (!lights.empty() && !technique->UpdateVisibility(frame, lights))
+    if (lights.empty())
+    {
+      continue;
+    }
+    this->Clock.Start(technique->GetTechniqueName());
+    if (!technique->UpdateVisibility(frame, lights))
     {
       failed = true;
       for (const int i : lights)
@@ -516,7 +529,10 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
 
   // A selection shows ids, not light.
   const vtkShadowFrame frame = this->Internal->FrameOf(s);
+  vtkShadowStageClock& clock = this->Internal->Clock;
+  clock.BeginFrame(this->Internal->TimeStages);
   const bool shadowed = !renderer->GetSelector() && this->Internal->Begin(frame, true, false);
+  clock.Start(ShadingStage);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->Render(s);
@@ -534,6 +550,7 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     }
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
+  clock.EndFrame();
   if (shadowed)
   {
     if (this->Internal->DebugView != NoView)
@@ -542,6 +559,51 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     }
     this->Internal->End();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetTimeStages(bool timed)
+{
+  this->Internal->TimeStages = timed;
+}
+
+bool vtkShadowPass::GetTimeStages() const
+{
+  return this->Internal->TimeStages;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::GetStageNames(vtkStringArray* names) const
+{
+  names->Initialize();
+  for (const vtkShadowStageClock::Stage& stage : this->Internal->Clock.GetStages())
+  {
+    names->InsertNextValue(stage.Name);
+  }
+}
+
+double vtkShadowPass::GetStageSeconds(const std::string& name) const
+{
+  for (const vtkShadowStageClock::Stage& stage : this->Internal->Clock.GetStages())
+  {
+    if (stage.Name == name)
+    {
+      return stage.Seconds;
+    }
+  }
+  return 0.0;
+}
+
+double vtkShadowPass::GetStageGPUSeconds(const std::string& name) const
+{
+  for (const vtkShadowStageClock::Stage& stage : this->Internal->Clock.GetStages())
+  {
+    if (stage.Name == name)
+    {
+      return stage.GPUSeconds;
+    }
+  }
+  return -1.0;
 }
 
 //------------------------------------------------------------------------------

@@ -232,6 +232,21 @@ public:
    */
   double TimeBareTracing(vtkRenderer* renderer);
 
+  ///@{
+  /**
+   * Time the stages of each frame (default off: it empties OpenGL's queue between them, which costs
+   * a little). Of the last frame that was timed: the names of its stages, in their order: "scene",
+   * lights, casters and receivers gathered; a technique's name, its visibility brought up to date;
+   * "shading", the frame drawn with it. Seconds that one took on the clock, 0 if there was none;
+   * and on the GPU by its own clock, below 0 if the driver does not tell or there was none.
+   */
+  void SetTimeStages(bool timed);
+  bool GetTimeStages() const;
+  void GetStageNames(vtkStringArray* names) const;
+  double GetStageSeconds(const std::string& name) const;
+  double GetStageGPUSeconds(const std::string& name) const;
+  ///@}
+
   enum TranslucentCastingType
   {
     TRANSLUCENT_NONE = 0,   // they cast nothing

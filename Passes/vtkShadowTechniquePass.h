@@ -55,6 +55,16 @@ public:
 
   virtual VisibilityForm GetVisibilityForm() const = 0;
 
+  ///@{
+  /**
+   * What it keeps from frame to frame, in bytes: the texels of its textures (smaller copies of them
+   * left out), 0 before the first frame and after ReleaseGraphicsResources; and what it made of the
+   * casters beside VTK's own copy of them: meshes, tables and trees, in memory and with the driver.
+   */
+  virtual vtkIdType GetTextureMemory() const = 0;
+  virtual vtkIdType GetCasterMemory() const { return 0; }
+  ///@}
+
   /**
    * Render the frame with every light shadowed by this technique.
    */

@@ -14,6 +14,7 @@ struct TexelLayout
   GLenum Internal;
   GLenum Components;
   GLenum Type;
+  std::size_t Bytes;
 };
 
 TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
@@ -21,25 +22,25 @@ TexelLayout LayoutOf(vtkShadowTextureArray::Format format)
   switch (format)
   {
     case vtkShadowTextureArray::Format::Depth32F:
-      return { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
+      return { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4 };
     case vtkShadowTextureArray::Format::Depth24:
-      return { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT };
+      return { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4 };
     case vtkShadowTextureArray::Format::Depth16:
-      return { GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT };
+      return { GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2 };
     case vtkShadowTextureArray::Format::Depth24Stencil8:
-      return { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
+      return { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4 };
     case vtkShadowTextureArray::Format::R32F:
-      return { GL_R32F, GL_RED, GL_FLOAT };
+      return { GL_R32F, GL_RED, GL_FLOAT, 4 };
     case vtkShadowTextureArray::Format::RG32F:
-      return { GL_RG32F, GL_RG, GL_FLOAT };
+      return { GL_RG32F, GL_RG, GL_FLOAT, 8 };
     case vtkShadowTextureArray::Format::R32UI:
-      return { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT };
+      return { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4 };
     case vtkShadowTextureArray::Format::RG16:
-      return { GL_RG16, GL_RG, GL_UNSIGNED_SHORT };
+      return { GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4 };
     case vtkShadowTextureArray::Format::RGBA32F:
-      return { GL_RGBA32F, GL_RGBA, GL_FLOAT };
+      return { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 };
     default:
-      return { GL_R8, GL_RED, GL_UNSIGNED_BYTE };
+      return { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1 };
   }
 }
 
@@ -153,6 +154,14 @@ int vtkShadowTextureArray::LargestSide()
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   return limit;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowTextureArray::Bytes() const
+{
+  return this->Texture
+    ? LayoutOf(this->TexelFormat).Bytes * this->Size[0] * this->Size[1] * this->Size[2]
+    : 0;
 }
 
 //------------------------------------------------------------------------------

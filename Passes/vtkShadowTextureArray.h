@@ -7,6 +7,7 @@
 
 #include "vtkWeakPointer.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -72,6 +73,9 @@ public:
   unsigned int Id() const { return this->Texture; }
   int Width() const { return this->Size[0]; }
   int Height() const { return this->Size[1]; }
+
+  // Of its texels, smaller copies left out; 0 if there is no texture.
+  std::size_t Bytes() const;
 
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

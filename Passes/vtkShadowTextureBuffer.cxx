@@ -28,9 +28,10 @@ void vtkShadowTextureBuffer::Upload(
     glGenBuffers(1, &this->Buffer);
     glGenTextures(1, &this->Texture);
   }
+  this->Size = values.size() * sizeof(float);
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
-    values.data(), GL_STATIC_DRAW);
+  glBufferData(
+    GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Size), values.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   GLint before = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &before);

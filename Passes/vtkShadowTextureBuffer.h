@@ -35,8 +35,12 @@ public:
 
   bool IsOf(vtkOpenGLRenderWindow* window) const;
 
+  // Of what it holds; 0 if there is no texture.
+  std::size_t Bytes() const { return this->Texture ? this->Size : 0; }
+
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::size_t Size = 0; // bytes
   unsigned int Buffer = 0;
   unsigned int Texture = 0;
   vtkShadowTextureUnit BoundTo;

@@ -731,6 +731,12 @@ vtkShadowTextureArray* vtkShadowTexturePass::GetTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkShadowTexturePass::GetTextureMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Maps.Bytes() + this->Internal->Depths.Bytes());
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTexturePass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Internal->Maps.Release();

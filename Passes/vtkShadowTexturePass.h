@@ -106,6 +106,7 @@ public:
   static std::string GetLimits();
 
   const char* GetTechniqueName() const override { return "shadow-texture"; }
+  vtkIdType GetTextureMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

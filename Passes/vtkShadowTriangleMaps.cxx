@@ -472,6 +472,19 @@ void vtkShadowTriangleMaps::SetParameters(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkShadowTriangleMaps::CasterBytes() const
+{
+  std::size_t bytes = this->Buffer ? 3 * this->Capacity * sizeof(LightCorner) : 0;
+  this->Casters.ForEach(
+    [&bytes](const Caster& caster)
+    {
+      bytes += caster.Mesh.MemoryInBytes() +
+        caster.Neighbours.size() * sizeof(vtkshadows::TriangleNeighbours);
+    });
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowTriangleMaps::Release()
 {
   this->Numbers.Release();

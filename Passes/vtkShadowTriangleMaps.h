@@ -55,6 +55,10 @@ public:
 
   void Release();
 
+  // Of the numbers; and of the casters' triangles, with neighbours, here and in the list.
+  std::size_t TextureBytes() const { return this->Numbers.Bytes(); }
+  std::size_t CasterBytes() const;
+
 private:
   // The triangles of a piece, without edges but with neighbours.
   struct Caster

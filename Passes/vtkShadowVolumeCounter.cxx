@@ -343,7 +343,6 @@ void vtkShadowVolumeCounter::SetCaster(const Draw& draw, const glm::dmat4& clipF
   const glm::dvec4 farRow =
     glm::dvec4(glm::dvec3(draw.FarPlaneWC), -draw.FarPlaneWC.w) * worldFromCaster;
   SetVector(program, "shadowFarPlaneTC", glm::dvec4(glm::dvec3(farRow), -farRow.w));
-  program->SetUniformi("shadowAllAreImages", 0);
   program->SetUniformi("shadowNearSide", 0);
   program->SetUniformi("shadowPointsTC", this->PointUnit);
   caster.Bind(this->State, volume, this->PointUnit, this->ListUnit);
@@ -369,6 +368,7 @@ std::size_t vtkShadowVolumeCounter::DrawSoup(
   {
     return 0;
   }
+  ++this->NumberOfDraws;
   this->Program->SetUniformi("shadowSoupFirst", static_cast<int>(list.first));
   this->Program->SetUniformi("shadowSoupTurned", turned ? 1 : 0);
   this->Program->SetUniformi("shadowSoupCaps", borders == 0 ? 1 : 0);
@@ -393,48 +393,76 @@ std::size_t vtkShadowVolumeCounter::DrawSoup(
 }
 
 //------------------------------------------------------------------------------
-// How many triangles were drawn.
-std::size_t vtkShadowVolumeCounter::DrawFaces(Faces faces)
+std::size_t vtkShadowVolumeCounter::DrawFacesOfSoup(Faces faces)
 {
   const vtkshadows::VolumeLists& lists = this->Volume->Lists;
+  switch (faces)
+  {
+    case Faces::Sides:
+      return this->DrawSoup(lists.threeSided, 3, false) + this->DrawSoup(lists.twoSided, 2, false) +
+        this->DrawSoup(lists.turnedTwoSided, 2, true) +
+        this->DrawSoup(lists.turnedThreeSided, 3, true);
+    case Faces::Caps:
+      return this->DrawSoup(lists.threeSided, 0, false) + this->DrawSoup(lists.twoSided, 0, false);
+    case Faces::TurnedCaps:
+      return this->DrawSoup(lists.turnedTwoSided, 0, false) +
+        this->DrawSoup(lists.turnedThreeSided, 0, false);
+    default:
+      return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+// How many triangles were drawn: of soup a list a call, else all of them by one. An index is twice
+// a point's number, and one more for its image; so caps are drawn at the far end by the indices
+// that they have, with one added.
+std::size_t vtkShadowVolumeCounter::DrawFaces(const Parts& parts)
+{
+  std::size_t triangles = 0;
   if (this->Soup)
   {
-    switch (faces)
+    for (const Part& part : parts)
     {
-      case Faces::Sides:
-        return this->DrawSoup(lists.threeSided, 3, false) +
-          this->DrawSoup(lists.twoSided, 2, false) + this->DrawSoup(lists.turnedTwoSided, 2, true) +
-          this->DrawSoup(lists.turnedThreeSided, 3, true);
-      case Faces::Caps:
-        return this->DrawSoup(lists.threeSided, 0, false) +
-          this->DrawSoup(lists.twoSided, 0, false);
-      case Faces::TurnedCaps:
-        return this->DrawSoup(lists.turnedTwoSided, 0, false) +
-          this->DrawSoup(lists.turnedThreeSided, 0, false);
-      default:
-        return 0;
+      this->Program->SetUniformi("shadowSoupImages", part.Images ? 1 : 0);
+      triangles += this->DrawFacesOfSoup(part.Of);
+    }
+    return triangles;
+  }
+  const vtkshadows::VolumeLists& lists = this->Volume->Lists;
+  std::vector<GLsizei> counts;
+  std::vector<const void*> offsets;
+  std::vector<GLint> added;
+  for (const Part& part : parts)
+  {
+    const vtkshadows::VolumeLists::List& list = part.Of == Faces::Sides ? lists.singles
+      : part.Of == Faces::DoubleSides                                   ? lists.doubles
+      : part.Of == Faces::Caps                                          ? lists.caps
+                                                                        : lists.turnedCaps;
+    if (list.count > 0)
+    {
+      counts.push_back(static_cast<GLsizei>(list.count));
+      offsets.push_back(OffsetOf(list.first, sizeof(std::uint32_t)));
+      added.push_back(part.Images ? 1 : 0);
+      triangles += list.count / 3;
     }
   }
-  const vtkshadows::VolumeLists::List& list = faces == Faces::Sides ? lists.singles
-    : faces == Faces::DoubleSides                                   ? lists.doubles
-    : faces == Faces::Caps                                          ? lists.caps
-                                                                    : lists.turnedCaps;
-  if (list.count > 0)
+  if (!counts.empty())
   {
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(list.count), GL_UNSIGNED_INT,
-      OffsetOf(list.first, sizeof(std::uint32_t)));
+    ++this->NumberOfDraws;
+    glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+      static_cast<GLsizei>(counts.size()), added.data());
   }
-  return list.count / 3;
+  return triangles;
 }
 
 //------------------------------------------------------------------------------
 // Adds `front` for a face toward the eye, and `back` for one away from it, where it lies behind the
 // receiver or before it.
-void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool behind, Phase phase)
+void vtkShadowVolumeCounter::CountFaces(
+  const Parts& parts, int front, int back, bool behind, Phase phase)
 {
   // A tie counts as behind, so that a lit surface is not in the volume that starts on it.
   this->State->vtkglDepthFunc(behind && !this->UsesStencil() ? GL_GEQUAL : GL_LESS);
-  int repeats = 1;
   if (this->UsesStencil())
   {
     const bool wraps = this->CurrentWay == Way::WrappingStencil;
@@ -447,7 +475,6 @@ void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool b
       this->State->vtkglStencilOpSeparate(
         sides[i], GL_KEEP, behind ? change : GL_KEEP, behind ? GL_KEEP : change);
     }
-    repeats = std::abs(front);
     if (phase != Phase::Everything)
     {
       const bool wantsFront = (front > 0) == (phase == Phase::Additions);
@@ -472,11 +499,8 @@ void vtkShadowVolumeCounter::CountFaces(Faces faces, int front, int back, bool b
     const float weights[2] = { static_cast<float>(front), static_cast<float>(back) };
     this->Program->SetUniform2f("shadowWeights", weights);
   }
-  for (int i = 0; i < repeats; ++i)
-  {
-    const std::size_t triangles = this->DrawFaces(faces);
-    this->NumberOfTriangles += phase == Phase::Subtractions ? 0 : triangles;
-  }
+  const std::size_t triangles = this->DrawFaces(parts);
+  this->NumberOfTriangles += phase == Phase::Subtractions ? 0 : triangles;
 }
 
 //------------------------------------------------------------------------------
@@ -544,40 +568,41 @@ void vtkShadowVolumeCounter::AddFaces(const Draw& draw, Phase phase)
   // toward the eye is the way in. A mirrored caster shows its faces the other way round.
   const bool behind = draw.Faces == Rule::Fail;
   const int way = (behind ? -1 : 1) * (this->Caster->IsMirrored() ? -1 : 1);
-  this->CountFaces(Faces::Sides, way, -way, behind, phase);
-  this->CountFaces(Faces::DoubleSides, 2 * way, -2 * way, behind, phase);
+  Parts outward = { { Faces::Sides }, { Faces::DoubleSides }, { Faces::DoubleSides } };
+  Parts inward;
   if (behind)
   {
     // A face that the near plane cuts is cut into other triangles, and seen edge-on those have
     // other depths: a cap must be cut as the receiver is that it lies on. What it loses lies before
     // every receiver and would not be counted.
-    const bool clips = draw.ClipsCaps && this->CurrentEye.UsesDepthClamp;
-    if (clips)
+    if (draw.ClipsCaps && this->CurrentEye.UsesDepthClamp)
     {
       glDisable(GL_DEPTH_CLAMP);
-    }
-    this->CountFaces(Faces::Caps, way, -way, behind, phase);
-    this->CountFaces(Faces::TurnedCaps, -way, way, behind, phase);
-    if (clips)
-    {
+      this->CountFaces({ { Faces::Caps } }, way, -way, behind, phase);
+      this->CountFaces({ { Faces::TurnedCaps } }, -way, way, behind, phase);
       glEnable(GL_DEPTH_CLAMP);
+    }
+    else
+    {
+      outward.push_back({ Faces::Caps });
+      inward.push_back({ Faces::TurnedCaps });
     }
     if (draw.FarCaps)
     {
-      this->Program->SetUniformi("shadowAllAreImages", 1);
-      this->CountFaces(Faces::Caps, -way, way, behind, phase);
-      this->CountFaces(Faces::TurnedCaps, way, -way, behind, phase);
+      outward.push_back({ Faces::TurnedCaps, true });
+      inward.push_back({ Faces::Caps, true });
     }
   }
-  else if (draw.Faces == Rule::PassCapped)
+  this->CountFaces(outward, way, -way, behind, phase);
+  this->CountFaces(inward, -way, way, behind, phase);
+  if (draw.Faces == Rule::PassCapped)
   {
     // Every triangle between the light and the near plane shadows that, whichever way it is seen.
     const glm::dvec4& plane = this->CurrentEye.NearPlaneWC;
     this->Program->SetUniformi("shadowNearSide", glm::dot(plane, draw.LightWC) > 0.0 ? 1 : -1);
     SetVector(this->Program, "shadowNearPlaneTC", plane * this->Caster->GetWorldFromCaster());
     glEnable(GL_CLIP_DISTANCE0);
-    this->CountFaces(Faces::Caps, 1, 1, behind, phase);
-    this->CountFaces(Faces::TurnedCaps, 1, 1, behind, phase);
+    this->CountFaces({ { Faces::Caps }, { Faces::TurnedCaps } }, 1, 1, behind, phase);
     glDisable(GL_CLIP_DISTANCE0);
   }
 }
@@ -628,8 +653,7 @@ void vtkShadowVolumeCounter::ShowVolumes(
           this->Program->SetUniform4f(
             "shadowViewColor", draw.Faces == Rule::Fail ? behind : before);
           this->Program->SetUniformf("shadowPulledForward", 0.0f);
-          this->DrawFaces(Faces::Sides);
-          this->DrawFaces(Faces::DoubleSides);
+          this->DrawFaces({ { Faces::Sides }, { Faces::DoubleSides } });
         }
       }
     });

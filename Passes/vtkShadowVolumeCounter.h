@@ -98,14 +98,21 @@ public:
   // The last counts, in floats: width * height, row by row from the bottom.
   void ReadCounts(const vtkShadowFrame& frame, std::vector<float>& counts);
 
-  // Since they were last set to 0: faces handed to OpenGL; lights that stencils could not count.
+  // Since they were last set to 0: faces handed to OpenGL, and calls that did it; lights that
+  // stencils could not count.
   std::size_t NumberOfTriangles = 0;
+  std::size_t NumberOfDraws = 0;
   std::size_t NumberOfOverflows = 0;
 
   // Whether this driver passes over pixels by the depth that is stored there: found out by Reserve.
   bool HasDepthBounds() const { return this->DepthBounds; }
 
   void Release();
+  // Of its textures.
+  std::size_t Bytes() const
+  {
+    return this->Depth.Bytes() + this->Counts.Bytes() + this->Sums.Bytes();
+  }
 
 private:
   enum class Phase
@@ -134,8 +141,16 @@ private:
   void EndVolumes();
   void SetCaster(const Draw& draw, const glm::dmat4& clipFromWorld, bool soup);
   void AddFaces(const Draw& draw, Phase phase);
-  void CountFaces(Faces faces, int front, int back, bool behind, Phase phase);
-  std::size_t DrawFaces(Faces faces);
+  // Faces, or the images of caps at the far end.
+  struct Part
+  {
+    Faces Of;
+    bool Images = false;
+  };
+  using Parts = std::vector<Part>;
+  void CountFaces(const Parts& parts, int front, int back, bool behind, Phase phase);
+  std::size_t DrawFaces(const Parts& parts);
+  std::size_t DrawFacesOfSoup(Faces faces);
   std::size_t DrawSoup(const vtkshadows::VolumeLists::List& list, int borders, bool turned);
   template <typename Use>
   void Show(const vtkShadowFrame& frame, const std::vector<Draw>& draws, const Use& use);

@@ -234,6 +234,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   this->NumberOfZFailCasters = 0;
   this->NumberOfCulledCasters = 0;
   my.Counter.NumberOfTriangles = 0;
+  my.Counter.NumberOfDraws = 0;
   my.Counter.NumberOfOverflows = 0;
 
   const auto& sceneLights = frame.Scene->GetLights();
@@ -260,6 +261,7 @@ bool vtkStencilShadowVolumePass::UpdateVisibility(
   }
   this->HasDepthBounds = my.Counter.HasDepthBounds();
   this->NumberOfFaces = static_cast<vtkIdType>(my.Counter.NumberOfTriangles);
+  this->NumberOfDraws = static_cast<vtkIdType>(my.Counter.NumberOfDraws);
   this->NumberOfOverflows = static_cast<vtkIdType>(my.Counter.NumberOfOverflows);
   this->WarnOnce(this,
     done ? ""
@@ -464,6 +466,17 @@ vtkShadowTextureArray* vtkStencilShadowVolumePass::GetTextures()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkStencilShadowVolumePass::GetTextureMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Masks.Bytes() + this->Internal->Counter.Bytes());
+}
+
+vtkIdType vtkStencilShadowVolumePass::GetCasterMemory() const
+{
+  return this->GetMemoryInBytes();
+}
+
+//------------------------------------------------------------------------------
 void vtkStencilShadowVolumePass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Internal->Masks.Release();
@@ -490,6 +503,7 @@ void vtkStencilShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfZFailCasters: " << this->NumberOfZFailCasters << "\n";
   os << indent << "NumberOfCulledCasters: " << this->NumberOfCulledCasters << "\n";
   os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
+  os << indent << "NumberOfDraws: " << this->NumberOfDraws << "\n";
   os << indent << "HasDepthBounds: " << this->HasDepthBounds << "\n";
   os << indent << "NumberOfOverflows: " << this->NumberOfOverflows << "\n";
 }

@@ -175,12 +175,14 @@ public:
   ///@{
   /**
    * Of the last frame, summed over lights and their samples: casters counted before the receiver
-   * and behind it, and left out; faces drawn.
+   * and behind it, and left out; faces drawn, and calls of OpenGL that drew them: those of a caster
+   * by one or two, soup by as many as it has lists; lights that were counted again in floats.
    */
   vtkGetMacro(NumberOfZPassCasters, vtkIdType);
   vtkGetMacro(NumberOfZFailCasters, vtkIdType);
   vtkGetMacro(NumberOfCulledCasters, vtkIdType);
   vtkGetMacro(NumberOfFaces, vtkIdType);
+  vtkGetMacro(NumberOfDraws, vtkIdType);
   vtkGetMacro(NumberOfOverflows, vtkIdType);
   ///@}
 
@@ -203,6 +205,8 @@ public:
 
   const char* GetTechniqueName() const override { return "stencil-volume"; }
   VisibilityForm GetVisibilityForm() const override { return MASK; }
+  vtkIdType GetTextureMemory() const override;
+  vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
@@ -233,6 +237,7 @@ protected:
   vtkIdType NumberOfZFailCasters = 0;
   vtkIdType NumberOfCulledCasters = 0;
   vtkIdType NumberOfFaces = 0;
+  vtkIdType NumberOfDraws = 0;
   vtkIdType NumberOfOverflows = 0;
   bool HasDepthBounds = false;
 

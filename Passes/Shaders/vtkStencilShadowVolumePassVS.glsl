@@ -6,7 +6,6 @@ uniform samplerBuffer shadowPointsTC;
 uniform mat4 shadowClipFromCaster;
 uniform vec4 shadowLightTC;    // a position and 1, or the direction toward the light and 0
 uniform vec4 shadowFarPlaneTC; // n.x = w, where images lie; n = 0: at infinity
-uniform int shadowAllAreImages;
 uniform float shadowPulledForward; // share of the way to the eye, for edges drawn on their surface
 
 // The plane that a cap is thrown on, and 1 or -1 for the light's side of it; 0 to throw it on none.
@@ -19,6 +18,7 @@ uniform int shadowSoupFirst;       // entry of the list that is drawn
 uniform int shadowSoupFirstPoint;
 uniform int shadowSoupTurned;
 uniform int shadowSoupCaps;
+uniform int shadowSoupImages; // caps: 1 at the far end
 
 // Sides have six vertices a triangle, in pairs of a corner and its image, on a way round it: along both borders, if
 // there are two, from end to end. Caps have three, the corners in their own order.
@@ -31,7 +31,7 @@ ivec2 shadowPointAndImage()
   int step = vertex / 2;
   int corner = (int(entry >> 30u) + 1 + (shadowSoupTurned != 0 ? 2 - step : step)) % 3;
   int point = shadowSoupFirstPoint + 3 * int(entry & 0x3fffffffu);
-  return isCap ? ivec2(point + vertex, 0) : ivec2(point + corner, vertex & 1);
+  return isCap ? ivec2(point + vertex, shadowSoupImages) : ivec2(point + corner, vertex & 1);
 }
 #else
 ivec2 shadowPointAndImage()
@@ -63,8 +63,7 @@ void main()
     gl_Position = vec4(clip.xy, -clip.w, clip.w);
     return;
   }
-  bool isImage = shadowAllAreImages != 0 || pointAndImage.y != 0;
   gl_ClipDistance[0] = 1.0;
-  gl_Position = shadowClipFromCaster * (isImage ? shadowImage(p) : vec4(p, 1.0));
+  gl_Position = shadowClipFromCaster * (pointAndImage.y != 0 ? shadowImage(p) : vec4(p, 1.0));
   gl_Position.z -= shadowPulledForward * abs(gl_Position.w);
 }
