@@ -7,6 +7,8 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkShadowErrorMeasure);
 
@@ -54,7 +56,17 @@ void FillErrorMap(
 }
 
 //------------------------------------------------------------------------------
-vtkShadowErrorMeasure::vtkShadowErrorMeasure() = default;
+class vtkShadowErrorMeasure::Internals
+{
+public:
+  vtkShadowPass::Measured Measured;
+};
+
+vtkShadowErrorMeasure::vtkShadowErrorMeasure()
+  : Internal(new Internals)
+{
+}
+
 vtkShadowErrorMeasure::~vtkShadowErrorMeasure() = default;
 
 //------------------------------------------------------------------------------
@@ -73,13 +85,54 @@ bool vtkShadowErrorMeasure::Measure(vtkRenderer* renderer, vtkLight* light)
   {
     return false;
   }
+  this->Internal->Measured = std::move(measured);
+  FillImage(this->Truth, this->Internal->Measured.Size, this->Internal->Measured.Truth);
+  this->Evaluate();
+  return true;
+}
 
+//------------------------------------------------------------------------------
+bool vtkShadowErrorMeasure::MeasureAgain(vtkImageData* visibility)
+{
+  vtkShadowPass::Measured& measured = this->Internal->Measured;
+  if (measured.Truth.empty())
+  {
+    vtkErrorMacro("There is no truth that the visibility could be held against: call Measure.");
+    return false;
+  }
+  const int* size = visibility ? visibility->GetDimensions() : nullptr;
+  if (!size || size[0] != measured.Size[0] || size[1] != measured.Size[1] || size[2] != 1 ||
+    visibility->GetScalarType() != VTK_FLOAT || visibility->GetNumberOfScalarComponents() != 1)
+  {
+    vtkErrorMacro("The visibility " << visibility << " is no image of one float component and "
+                                    << measured.Size[0] << " x " << measured.Size[1]
+                                    << " pixels: give one as GetVisibility has it.");
+    return false;
+  }
+  const auto* values = static_cast<const float*>(visibility->GetScalarPointer());
+  measured.Visibility.assign(values, values + measured.Truth.size());
+  this->Evaluate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowErrorMeasure::Evaluate()
+{
+  const vtkShadowPass::Measured& measured = this->Internal->Measured;
+  std::vector<vtkshadows::PixelRole> roles = measured.Roles;
+  for (std::size_t i = 0; i < roles.size(); ++i)
+  {
+    if (std::isnan(measured.Visibility[i]) && roles[i] == vtkshadows::PixelRole::Measured)
+    {
+      roles[i] = vtkshadows::PixelRole::Uncertain;
+    }
+  }
   vtkshadows::VisibilityImages images;
   images.width = measured.Size[0];
   images.height = measured.Size[1];
   images.visibility = measured.Visibility.data();
   images.truth = measured.Truth.data();
-  images.role = measured.Roles.data();
+  images.role = roles.data();
   std::vector<vtkshadows::PixelVerdict> verdicts;
   const vtkshadows::VisibilityError error = vtkshadows::MeasureVisibility(images, 2.0, &verdicts);
 
@@ -93,9 +146,7 @@ bool vtkShadowErrorMeasure::Measure(vtkRenderer* renderer, vtkLight* light)
   this->GrossPercent = error.GrossPercent();
   this->MeanAbsoluteDifference = error.MeanAbsoluteDifference();
   FillImage(this->Visibility, measured.Size, measured.Visibility);
-  FillImage(this->Truth, measured.Size, measured.Truth);
   FillErrorMap(this->ErrorMap, measured.Size, verdicts);
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,8 @@
 #include "vtkObject.h"
 #include "vtkShadowsPassesModule.h" // for export macro
 
+#include <memory> // for std::unique_ptr
+
 class vtkImageData;
 class vtkLight;
 class vtkRenderer;
@@ -43,6 +45,15 @@ public:
    * cannot be.
    */
   bool Measure(vtkRenderer* renderer, vtkLight* light);
+
+  /**
+   * Hold another visibility of the same light and view, one float component of the same size, 0 to
+   * 1, against the truth of the last Measure, which need not be made again: by another technique,
+   * or read off a picture that none of these drew. What is not a number is left out, and counted as
+   * uncertain. false, with an error, if there is no truth or the image is of another kind; then
+   * nothing changed.
+   */
+  bool MeasureAgain(vtkImageData* visibility);
 
   ///@{
   /**
@@ -87,6 +98,8 @@ private:
   vtkShadowErrorMeasure(const vtkShadowErrorMeasure&) = delete;
   void operator=(const vtkShadowErrorMeasure&) = delete;
 
+  void Evaluate();
+
   vtkIdType ReceiverPixels = 0;
   vtkIdType ShadowPixels = 0;
   vtkIdType UncertainPixels = 0;
@@ -99,6 +112,9 @@ private:
   vtkNew<vtkImageData> Visibility;
   vtkNew<vtkImageData> Truth;
   vtkNew<vtkImageData> ErrorMap;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

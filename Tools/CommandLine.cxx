@@ -45,6 +45,8 @@ struct RawOptions
   std::optional<double> isovalue;
   std::optional<int> frames;
   bool quiet = false;
+  BenchOptions bench;
+  std::optional<std::string> benchSize;
 };
 
 void AddSharedOptions(CLI::App& app, RawOptions& raw)
@@ -166,6 +168,63 @@ CLI::App* AddCompare(CLI::App& app, RawOptions& raw)
   return compare;
 }
 
+CLI::App* AddBench(CLI::App& app, RawOptions& raw)
+{
+  BenchOptions& bench = raw.bench;
+  CLI::App* command = app.add_subcommand("bench",
+    "every technique and setting over every scene: error, time, memory; CSV, JSON and a page of "
+    "HTML");
+  command->add_option("INPUT", raw.inputs, "meshes, in place of the scenes: " + KnownExtensions());
+  command->add_option("-o,--output", raw.output, "the folder; made if it is missing")
+    ->type_name("FOLDER");
+  command->add_option("--scenes", bench.scenes, "those to measure; default: all; see --list")
+    ->type_name("A,B,...")
+    ->delimiter(',')
+    ->allow_extra_args(false);
+  command
+    ->add_option("--settings", bench.settings,
+      "those whose name has one of these in it, or is like one with * and ?; see --list")
+    ->type_name("A,B,...");
+  command->add_flag("--fast", bench.fast, "small scenes, few settings, a few minutes");
+  command->add_flag("--sweeps", bench.sweeps,
+    "also cost against triangles, lights, pixels and samples, with the fitted exponent");
+  command->add_flag(
+    "--resume", bench.resume, "go on with the bench in the folder, which was cut off");
+  command->add_flag("--list", bench.list, "say the names of scenes and settings, and no more");
+  command
+    ->add_option("--seconds", bench.seconds,
+      "of timing, for each setting and scene, at least 3 rounds; default: 2, fast 0.3")
+    ->type_name("S");
+  command->add_option("--frames", raw.frames, "rounds of timing, whatever they take")
+    ->type_name("N");
+  command->add_option("--size", raw.benchSize, "pixels; default: 800x600, fast 400x300")
+    ->type_name("WxH");
+  command
+    ->add_option("--detail", bench.detail,
+      "times the triangles of made scenes, 0.01 to 100; default: 1, fast 0.25")
+    ->type_name("F");
+  command
+    ->add_option("--triangles", bench.triangles,
+      "of the scene crowd, 10000 to 50000000; default: 1000000, fast 50000")
+    ->type_name("N");
+  command->add_option("--statue", bench.statue, "the scan of the scene statue, .off or .ply")
+    ->type_name("FILE");
+  command->add_option("--volume", bench.volume, "the labels of the scene anatomy, .vti")
+    ->type_name("FILE");
+  command->add_flag("--quiet", raw.quiet, "say nothing but errors");
+  return command;
+}
+
+template <typename T>
+void CheckRange(const std::string& option, const std::optional<T>& value, T low, T high)
+{
+  if (value && !(*value >= low && *value <= high))
+  {
+    const std::string range = ToText(double(low)) + " to " + ToText(double(high));
+    throw Failure(option, ToText(double(*value)), "is outside " + range, "give " + range);
+  }
+}
+
 void CheckCount(const std::string& option, const std::optional<int>& count,
   int most = std::numeric_limits<int>::max())
 {
@@ -285,6 +344,23 @@ std::vector<std::string> TechniquesToCompare(const RawOptions& raw, const StageS
   return techniques;
 }
 
+BenchOptions InterpretBench(const RawOptions& raw)
+{
+  BenchOptions bench = raw.bench;
+  if (raw.output.empty() && !bench.list)
+  {
+    throw Failure("-o", "", "is missing", "name the folder that the figures go to");
+  }
+  CheckRange("--seconds", bench.seconds, 0.001, 3600.0);
+  CheckRange("--detail", bench.detail, 0.01, 100.0);
+  CheckRange<vtkIdType>("--triangles", bench.triangles, 10'000, 50'000'000);
+  if (raw.benchSize)
+  {
+    bench.size = ParseSize(*raw.benchSize);
+  }
+  return bench;
+}
+
 Options Interpret(const RawOptions& raw, Job job)
 {
   CheckCount("--frames", raw.frames);
@@ -302,7 +378,11 @@ Options Interpret(const RawOptions& raw, Job job)
   options.frames = raw.frames.value_or(0);
   options.quiet = raw.quiet;
   options.stage = InterpretStage(raw);
-  if (job == Job::Compare)
+  if (job == Job::Bench)
+  {
+    options.bench = InterpretBench(raw);
+  }
+  else if (job == Job::Compare)
   {
     options.techniques = TechniquesToCompare(raw, options.stage);
   }
@@ -337,6 +417,7 @@ CommandLine ParseCommandLine(int argc, char** argv)
   app.require_subcommand(1);
   CLI::App* render = AddRender(app, raw);
   CLI::App* compare = AddCompare(app, raw);
+  CLI::App* bench = AddBench(app, raw);
   try
   {
     app.parse(argc, argv);
@@ -350,12 +431,13 @@ CommandLine ParseCommandLine(int argc, char** argv)
     }
     const std::string subcommand = render->parsed() ? "render "
       : compare->parsed()                           ? "compare "
+      : bench->parsed()                             ? "bench "
                                                     : "";
     throw UsageError(
       std::string("command line: ") + error.what() + "; see vtkshadows " + subcommand + "--help");
   }
 
-  const Job job = render->parsed() ? Job::Render : Job::Compare;
+  const Job job = render->parsed() ? Job::Render : bench->parsed() ? Job::Bench : Job::Compare;
   return { job, Interpret(raw, job) };
 }
 

@@ -11,7 +11,8 @@ enum class Job
 {
   Nothing, // help or version was printed
   Render,
-  Compare
+  Compare,
+  Bench
 };
 
 struct CommandLine

@@ -71,7 +71,8 @@ public:
     }
 
     this->progress.Begin("timing " + technique);
-    const FrameTimings timings = TimeFrames(this->stage, this->options.frames, this->progress);
+    const FrameTimings timings =
+      TimeFrames(this->stage, { this->options.frames, 0.0 }, this->progress);
     for (ReportRow& row : rows)
     {
       row.timings = timings;

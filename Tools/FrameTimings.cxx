@@ -7,12 +7,15 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkShadowPass.h>
+#include <vtkStringArray.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace vtkshadows
@@ -162,6 +165,20 @@ Round TimeRound(Stage& stage, MovingStage& motion)
   return round;
 }
 
+double Quantile(std::vector<double> values, double share)
+{
+  std::sort(values.begin(), values.end());
+  const double at = share * static_cast<double>(values.size() - 1);
+  const std::size_t low = static_cast<std::size_t>(at);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+double Spread(const std::vector<double>& values)
+{
+  return 0.5 * (Quantile(values, 0.75) - Quantile(values, 0.25));
+}
+
 int RoundsFor(const Round& warmUp)
 {
   const double slowest = std::max({ warmUp.unshadowed, warmUp.still, warmUp.moving });
@@ -169,28 +186,146 @@ int RoundsFor(const Round& warmUp)
   return std::max(affordable, FewestRounds);
 }
 
+// All that a round draws, the frames that are not timed included.
+double RoundSeconds(const Round& round)
+{
+  return 0.001 * (2.0 * round.unshadowed + 2.0 * round.still + round.moving);
 }
 
-FrameTimings TimeFrames(Stage& stage, int rounds, Progress& progress)
+class Rounds
+{
+public:
+  void Add(const Round& round)
+  {
+    this->unshadowed.push_back(round.unshadowed);
+    this->still.push_back(round.still);
+    this->moving.push_back(round.moving);
+    this->stillRatio.push_back(round.still / round.unshadowed);
+    this->movingRatio.push_back(round.moving / round.unshadowed);
+    this->stillCost.push_back(round.still - round.unshadowed);
+    this->movingCost.push_back(round.moving - round.unshadowed);
+  }
+
+  FrameTimings Medians() const
+  {
+    FrameTimings timings;
+    timings.unshadowedMilliseconds = Median(this->unshadowed);
+    timings.staticMilliseconds = Median(this->still);
+    timings.movingMilliseconds = Median(this->moving);
+    timings.staticRatio = Median(this->stillRatio);
+    timings.movingRatio = Median(this->movingRatio);
+    timings.staticCost = Median(this->stillCost);
+    timings.movingCost = Median(this->movingCost);
+    timings.staticSpread = Spread(this->still);
+    timings.movingSpread = Spread(this->moving);
+    timings.rounds = static_cast<int>(this->still.size());
+    return timings;
+  }
+
+private:
+  std::vector<double> unshadowed, still, moving;
+  std::vector<double> stillRatio, movingRatio, stillCost, movingCost;
+};
+
+}
+
+FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress)
 {
   MovingStage motion(stage);
-  TimeRound(stage, motion);
-  const Round warmUp = TimeRound(stage, motion);
-  const int count = rounds > 0 ? rounds : RoundsFor(warmUp);
-
-  std::vector<double> unshadowed, still, moving, stillRatio, movingRatio;
+  Rounds rounds;
+  Round warmUp = TimeRound(stage, motion);
+  if (plan.rounds == 0 && plan.seconds > 0.0 && RoundSeconds(warmUp) > 4.0 * plan.seconds)
+  {
+    rounds.Add(warmUp);
+    return rounds.Medians();
+  }
+  warmUp = TimeRound(stage, motion);
+  int count = plan.rounds;
+  if (count == 0)
+  {
+    count = plan.seconds > 0.0 ? static_cast<int>(std::clamp(plan.seconds / RoundSeconds(warmUp),
+                                   double(FewestRounds), double(DefaultRounds)))
+                               : RoundsFor(warmUp);
+  }
   for (int i = 0; i < count; ++i)
   {
     progress.Update(static_cast<double>(i) / count);
-    const Round round = TimeRound(stage, motion);
-    unshadowed.push_back(round.unshadowed);
-    still.push_back(round.still);
-    moving.push_back(round.moving);
-    stillRatio.push_back(round.still / round.unshadowed);
-    movingRatio.push_back(round.moving / round.unshadowed);
+    rounds.Add(TimeRound(stage, motion));
   }
-  return { Median(unshadowed), Median(still), Median(moving), Median(stillRatio),
-    Median(movingRatio) };
+  return rounds.Medians();
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+
+struct StageSamples
+{
+  std::vector<double> seconds;
+  std::vector<double> gpuSeconds;
+};
+
+using SamplesByStage = std::map<std::string, StageSamples>;
+
+// The stages of one frame that is drawn now; their names in order into `names`.
+void SampleFrame(Stage& stage, SamplesByStage& samples, std::vector<std::string>& names)
+{
+  stage.Window().Render();
+  vtkNew<vtkStringArray> stages;
+  stage.Shadows()->GetStageNames(stages);
+  names.clear();
+  for (vtkIdType i = 0; i < stages->GetNumberOfValues(); ++i)
+  {
+    const std::string name = stages->GetValue(i);
+    names.push_back(name);
+    samples[name].seconds.push_back(stage.Shadows()->GetStageSeconds(name));
+    samples[name].gpuSeconds.push_back(stage.Shadows()->GetStageGPUSeconds(name));
+  }
+}
+
+double MedianMilliseconds(const std::vector<double>& seconds)
+{
+  if (seconds.empty())
+  {
+    return -1.0;
+  }
+  const double median = Median(seconds);
+  return median < 0.0 ? -1.0 : 1000.0 * median;
+}
+
+}
+
+std::vector<StageTimings> TimeStages(Stage& stage)
+{
+  constexpr int Frames = 3;
+  MovingStage motion(stage);
+  SamplesByStage still, moving;
+  std::vector<std::string> names;
+  stage.ShowShadows(true);
+  stage.Window().Render();
+  stage.Shadows()->SetTimeStages(true);
+  for (int i = 0; i < Frames; ++i)
+  {
+    motion.RestLights();
+    motion.SwingCamera();
+    stage.Shadows()->SetTimeStages(false);
+    stage.Window().Render();
+    stage.Shadows()->SetTimeStages(true);
+    motion.SwingCamera();
+    SampleFrame(stage, still, names);
+    motion.CircleLights();
+    SampleFrame(stage, moving, names);
+  }
+  stage.Shadows()->SetTimeStages(false);
+
+  std::vector<StageTimings> timings;
+  for (const std::string& name : names)
+  {
+    timings.push_back(
+      { name, MedianMilliseconds(still[name].seconds), MedianMilliseconds(moving[name].seconds),
+        MedianMilliseconds(still[name].gpuSeconds), MedianMilliseconds(moving[name].gpuSeconds) });
+  }
+  return timings;
 }
 
 }

@@ -2,6 +2,9 @@
 #ifndef vtkshadows_FrameTimings_h
 #define vtkshadows_FrameTimings_h
 
+#include <string>
+#include <vector>
+
 namespace vtkshadows
 {
 
@@ -9,7 +12,9 @@ class Progress;
 class Stage;
 
 // Medians over the rounds. Static: the camera moves and the lights do not; moving: the lights move
-// every frame. A ratio is the median of each round's own, over its unshadowed frame.
+// every frame. A ratio is the median of each round's own, over its unshadowed frame, and a cost the
+// median of each round's own difference from it. A spread is half the distance between the
+// quartiles.
 struct FrameTimings
 {
   double unshadowedMilliseconds = 0.0;
@@ -17,11 +22,38 @@ struct FrameTimings
   double movingMilliseconds = 0.0;
   double staticRatio = 0.0;
   double movingRatio = 0.0;
+  double staticCost = 0.0; // milliseconds, as the following
+  double movingCost = 0.0;
+  double staticSpread = 0.0;
+  double movingSpread = 0.0;
+  int rounds = 0;
 };
 
-// `rounds` 0: 15, or fewer (at least 3) where a frame takes longer than a second. The camera, the
-// lights and the pass are afterwards what they were.
-FrameTimings TimeFrames(Stage& stage, int rounds, Progress& progress);
+// How often. `rounds` 0: as many as take `seconds`, 3 to 15; 0 of both: 15, or fewer (at least 3)
+// where a frame takes longer than a second. With `seconds`, what takes more than four times as long
+// for a single round is not timed again: that round is the answer.
+struct TimingPlan
+{
+  int rounds = 0;
+  double seconds = 0.0;
+};
+
+// The camera, the lights and the pass are afterwards what they were.
+FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress);
+
+// Of a stage of the frame, milliseconds, medians of a few frames; below 0 what the driver does not
+// tell.
+struct StageTimings
+{
+  std::string name;
+  double staticMilliseconds = 0.0;
+  double movingMilliseconds = 0.0;
+  double staticGpuMilliseconds = -1.0;
+  double movingGpuMilliseconds = -1.0;
+};
+
+// Where the shadow pass's time goes; the same holds of the camera and the lights.
+std::vector<StageTimings> TimeStages(Stage& stage);
 
 }
 

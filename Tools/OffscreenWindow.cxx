@@ -49,6 +49,11 @@ void OffscreenWindow::Open(int width, int height)
   openGL->MakeCurrent();
 
   this->largestTexture = vtkTextureObject::GetMaximumTextureSize(openGL);
+  this->Resize(width, height);
+}
+
+void OffscreenWindow::Resize(int width, int height)
+{
   if (std::max(width, height) > this->largestTexture)
   {
     const std::string limit = std::to_string(this->largestTexture);

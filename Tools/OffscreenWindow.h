@@ -23,6 +23,9 @@ public:
   // Throws Failure if there is no OpenGL, or if it cannot draw so many pixels.
   void Open(int width, int height);
 
+  // Throws Failure if it is more than this driver can draw.
+  void Resize(int width, int height);
+
   void Add(vtkRenderer* renderer);
 
   // Draw a frame and wait until it is done. Throws Failure at the first error of VTK's.

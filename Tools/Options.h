@@ -11,6 +11,23 @@
 namespace vtkshadows
 {
 
+// Of bench. What is not given follows from whether it is the fast one.
+struct BenchOptions
+{
+  std::vector<std::string> scenes; // none: all of the registry, or the meshes that are given
+  std::string settings;            // see MatchesPatterns
+  bool fast = false;
+  bool sweeps = false;
+  bool resume = false;
+  bool list = false;             // say the names of scenes and settings, and do nothing
+  std::optional<double> seconds; // of timing, a run
+  std::optional<double> detail;  // see SceneSize, as the following
+  std::optional<vtkIdType> triangles;
+  std::string statue;
+  std::string volume;
+  std::optional<WindowSize> size;
+};
+
 struct Options
 {
   std::vector<std::string> inputs;
@@ -23,6 +40,7 @@ struct Options
   std::optional<double> isovalue;
   int frames = 0; // rounds of timing; 0: chosen
   bool quiet = false;
+  BenchOptions bench;
 };
 
 }

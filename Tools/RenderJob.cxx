@@ -67,7 +67,7 @@ Report Measure(Stage& stage, const Options& options, Progress& progress)
   }
 
   progress.Begin("timing frames");
-  const FrameTimings timings = TimeFrames(stage, options.frames, progress);
+  const FrameTimings timings = TimeFrames(stage, { options.frames, 0.0 }, progress);
   for (ReportRow& row : report.rows)
   {
     row.timings = timings;

@@ -4,7 +4,6 @@
 #include "Pictures.h"
 #include "Techniques.h"
 
-#include <algorithm>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDepthShadowMapPass.h>
@@ -53,15 +52,11 @@ void AddActor(vtkRenderer* renderer, vtkActor* actor, const double color[3])
 }
 
 Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
-  : axes(ChooseAxes(settings.up, settings.camera, meshes))
+  : shadows(vtkSmartPointer<vtkShadowPass>::New())
+  , axes(ChooseAxes(settings.up, settings.camera, meshes))
   , extent(MeasureExtent(meshes, this->axes))
 {
-  this->window.Open(settings.size.width, settings.size.height);
-  this->window.Add(this->renderer);
-  this->renderer->SetBackground(0.74, 0.77, 0.81);
-  this->renderer->SetBackground2(0.93, 0.95, 0.97);
-  this->renderer->GradientBackgroundOn();
-
+  this->OpenWindow(settings.size);
   this->SetMapResolution(settings.resolution);
   if (settings.cascades)
   {
@@ -97,7 +92,80 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   this->ShowShadows(true);
 }
 
+Stage::Stage(const WindowSize& size)
+  : shadows(vtkSmartPointer<vtkShadowPass>::New())
+{
+  this->OpenWindow(size);
+  this->renderer->AutomaticLightCreationOff();
+  this->ShowShadows(true);
+}
+
 Stage::~Stage() = default;
+
+void Stage::OpenWindow(const WindowSize& size)
+{
+  this->windowSize = size;
+  this->window.Open(size.width, size.height);
+  this->window.Add(this->renderer);
+  this->renderer->SetBackground(0.74, 0.77, 0.81);
+  this->renderer->SetBackground2(0.93, 0.95, 0.97);
+  this->renderer->GradientBackgroundOn();
+}
+
+void Stage::Resize(const WindowSize& size)
+{
+  this->window.Resize(size.width, size.height);
+  this->windowSize = size;
+}
+
+SceneFacts Stage::ShowScene(const std::string& name, SceneSize size)
+{
+  size.width = this->windowSize.width;
+  size.height = this->windowSize.height;
+  SceneFacts facts;
+  try
+  {
+    facts = BuildScene(name, this->renderer, size);
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure("scene", name, error.what(), "give another file or size, or leave the scene out");
+  }
+  this->lights.clear();
+  this->lightSpecs.clear();
+  for (const SceneLight& light : facts.lights)
+  {
+    LightSpec spec;
+    spec.kind = light.kind;
+    spec.radius = light.radius;
+    this->lights.push_back(light.light);
+    this->lightSpecs.push_back(spec);
+  }
+  const double* b = facts.bounds;
+  this->axes = SceneAxes();
+  this->extent.low = { b[0], b[2], b[4] };
+  this->extent.high = { b[1], b[3], b[5] };
+  this->extent.center = 0.5 * (this->extent.low + this->extent.high);
+  this->numberOfTriangles = facts.triangles;
+  return facts;
+}
+
+void Stage::RenewShadows(bool soft)
+{
+  this->shadows->ReleaseGraphicsResources(this->renderer->GetVTKWindow());
+  this->shadows = vtkSmartPointer<vtkShadowPass>::New();
+  for (std::size_t light = 0; light < this->lights.size(); ++light)
+  {
+    this->GiveLightSettings(light, soft);
+  }
+  this->UsePass(nullptr);
+}
+
+void Stage::UsePass(vtkRenderPass* pass)
+{
+  this->shownPass = pass;
+  this->ShowShadows(true);
+}
 
 void Stage::SetMapResolution(std::optional<int> resolution)
 {
@@ -199,8 +267,15 @@ void Stage::AddLight(const LightSpec& spec)
   }
   this->renderer->AddLight(light);
   this->lights.push_back(light);
+  this->lightSpecs.push_back(spec);
+  this->GiveLightSettings(this->lights.size() - 1, true);
+}
 
-  this->shadows->SetLightRadius(light, spec.radius);
+void Stage::GiveLightSettings(std::size_t index, bool soft)
+{
+  vtkLight* light = this->lights[index];
+  const LightSpec& spec = this->lightSpecs[index];
+  this->shadows->SetLightRadius(light, soft ? spec.radius : 0.0);
   this->shadows->SetLightStrength(light, spec.strength);
   this->shadows->SetLightMaximumDistance(light, spec.distance);
   this->shadows->SetLightFade(light, spec.fade);
@@ -256,7 +331,8 @@ void Stage::ShowDebugView(const std::string& view)
 
 void Stage::ShowShadows(bool shown)
 {
-  this->renderer->SetPass(shown ? this->shadows.Get() : nullptr);
+  vtkRenderPass* pass = this->shownPass ? this->shownPass.Get() : this->shadows.Get();
+  this->renderer->SetPass(shown ? pass : nullptr);
 }
 
 vtkIdType Stage::NumberOfTriangles() const

@@ -4,10 +4,13 @@
 
 #include "MeshLoader.h"
 #include "OffscreenWindow.h"
+#include "Scenes.h"
 #include "Specs.h"
 #include "View.h"
 
 #include <vtkNew.h>
+#include <vtkRenderPass.h>
+#include <vtkShadowPass.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -18,7 +21,6 @@
 class vtkImageData;
 class vtkLight;
 class vtkRenderer;
-class vtkShadowPass;
 class vtkTexture;
 
 namespace vtkshadows
@@ -48,7 +50,22 @@ class Stage
 public:
   // Opens the window; one Stage a process. Throws Failure if it cannot be opened or is too large.
   Stage(const std::vector<Mesh>& meshes, const StageSettings& settings);
+  // The same, with nothing in it.
+  explicit Stage(const WindowSize& size);
   ~Stage();
+
+  // In place of what it has: a scene of the registry, for the window's size. Throws Failure.
+  SceneFacts ShowScene(const std::string& name, SceneSize size);
+
+  // Another size of the window. Throws Failure if it is too large.
+  void Resize(const WindowSize& size);
+
+  // A shadow pass in place of the one there was, with every setting as it is made, but for what the
+  // lights were given; and of their radii if they are to be soft.
+  void RenewShadows(bool soft);
+
+  // A pass that ShowShadows shows in place of the shadow pass; nullptr: that one again.
+  void UsePass(vtkRenderPass* pass);
 
   OffscreenWindow& Window() { return this->window; }
   vtkRenderer* Renderer() { return this->renderer; }
@@ -77,13 +94,18 @@ private:
   void SetLightSamples(std::optional<int> samples);
   void AddMeshes(const std::vector<Mesh>& meshes);
   void AddFloor(const FloorSpec& floor);
+  void OpenWindow(const WindowSize& size);
   void AddLight(const LightSpec& spec);
+  void GiveLightSettings(std::size_t light, bool soft);
   void PlaceCamera(const CameraSpec& spec);
 
   OffscreenWindow window;
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkShadowPass> shadows;
+  vtkSmartPointer<vtkShadowPass> shadows;
+  vtkSmartPointer<vtkRenderPass> shownPass; // none: the shadow pass
   std::vector<vtkSmartPointer<vtkLight>> lights;
+  std::vector<LightSpec> lightSpecs;
+  WindowSize windowSize;
   SceneAxes axes;
   SceneExtent extent;
   vtkIdType numberOfTriangles = 0;

@@ -22,6 +22,8 @@ void Run(const vtkshadows::CommandLine& commandLine)
       return vtkshadows::RunRender(commandLine.options, progress);
     case vtkshadows::Job::Compare:
       return vtkshadows::RunCompare(commandLine.options, progress);
+    case vtkshadows::Job::Bench:
+      return vtkshadows::RunBench(commandLine.options, progress);
   }
 }
 

@@ -3,20 +3,14 @@
 #include "vtkShadowErrorMeasure.h"
 #include "vtkShadowOpenGL.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkCubeSource.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLogger.h>
-#include <vtkMath.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPNGWriter.h>
-#include <vtkPlaneSource.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkRendererCollection.h>
-#include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -61,15 +55,6 @@ vtkRenderWindow* TheWindow()
     window->OffScreenRenderingOn();
   }
   return window;
-}
-
-vtkSmartPointer<vtkActor> AddActor(
-  vtkRenderer* renderer, const vtkSmartPointer<vtkPolyDataMapper>& mapper)
-{
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-  return actor;
 }
 
 }
@@ -198,85 +183,6 @@ Pixel PixelOf(vtkRenderer* renderer, const glm::dvec3& pointWC)
   const int* origin = renderer->GetOrigin();
   return { static_cast<int>(std::floor(display[0])) - origin[0],
     static_cast<int>(std::floor(display[1])) - origin[1] };
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* source)
-{
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputConnection(source->GetOutputPort());
-  return ::AddActor(renderer, mapper);
-}
-
-vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkPolyData* mesh)
-{
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputData(mesh);
-  return ::AddActor(renderer, mapper);
-}
-
-vtkSmartPointer<vtkActor> AddFloor(vtkRenderer* renderer, double halfSide, double height)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-halfSide, -halfSide, height);
-  plane->SetPoint1(halfSide, -halfSide, height);
-  plane->SetPoint2(-halfSide, halfSide, height);
-  return AddActor(renderer, plane);
-}
-
-vtkSmartPointer<vtkActor> AddSphere(
-  vtkRenderer* renderer, const glm::dvec3& centre, double radius, int resolution)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(centre.x, centre.y, centre.z);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(resolution);
-  sphere->SetPhiResolution(resolution);
-  return AddActor(renderer, sphere);
-}
-
-vtkSmartPointer<vtkActor> AddBox(
-  vtkRenderer* renderer, const glm::dvec3& minimum, const glm::dvec3& maximum)
-{
-  vtkNew<vtkCubeSource> box;
-  box->SetBounds(minimum.x, maximum.x, minimum.y, maximum.y, minimum.z, maximum.z);
-  return AddActor(renderer, box);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkLight> AddSun(vtkRenderer* renderer, const glm::dvec3& along)
-{
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetPosition(-along.x, -along.y, -along.z);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  renderer->AddLight(light);
-  return light;
-}
-
-vtkSmartPointer<vtkLight> AddSpot(
-  vtkRenderer* renderer, const glm::dvec3& position, const glm::dvec3& focus, double cone)
-{
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->PositionalOn();
-  light->SetPosition(position.x, position.y, position.z);
-  light->SetFocalPoint(focus.x, focus.y, focus.z);
-  light->SetConeAngle(cone);
-  renderer->AddLight(light);
-  return light;
-}
-
-vtkSmartPointer<vtkLight> AddLamp(vtkRenderer* renderer, const glm::dvec3& position)
-{
-  return AddSpot(renderer, position, glm::dvec3(0.0), 180.0);
-}
-
-void LookAt(vtkRenderer* renderer, const glm::dvec3& position, const glm::dvec3& focus)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(position.x, position.y, position.z);
-  camera->SetFocalPoint(focus.x, focus.y, focus.z);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  renderer->ResetCameraClippingRange();
 }
 
 //------------------------------------------------------------------------------

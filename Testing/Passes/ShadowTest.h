@@ -3,6 +3,7 @@
 #ifndef vtkshadows_ShadowTest_h
 #define vtkshadows_ShadowTest_h
 
+#include "SceneParts.h"
 #include "vtkDepthShadowMapPass.h"
 #include "vtkRayCastShadowPass.h"
 #include "vtkShadowPass.h"
@@ -21,9 +22,6 @@
 
 #include <string>
 #include <vector>
-
-class vtkAlgorithm;
-class vtkPolyData;
 
 namespace shadowtest
 {
@@ -79,23 +77,14 @@ Pixel PixelOf(vtkRenderer* renderer, const glm::dvec3& pointWC);
 
 //------------------------------------------------------------------------------
 // Parts of a scene.
-vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* source);
-vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkPolyData* mesh);
-// A square in the plane z = height about the z axis.
-vtkSmartPointer<vtkActor> AddFloor(vtkRenderer* renderer, double halfSide, double height = 0.0);
-vtkSmartPointer<vtkActor> AddSphere(
-  vtkRenderer* renderer, const glm::dvec3& centre, double radius, int resolution = 48);
-vtkSmartPointer<vtkActor> AddBox(
-  vtkRenderer* renderer, const glm::dvec3& minimum, const glm::dvec3& maximum);
-
-// `along`: the way the light travels.
-vtkSmartPointer<vtkLight> AddSun(vtkRenderer* renderer, const glm::dvec3& along);
-// `cone` as VTK's ConeAngle: from the axis to the side.
-vtkSmartPointer<vtkLight> AddSpot(
-  vtkRenderer* renderer, const glm::dvec3& position, const glm::dvec3& focus, double cone);
-vtkSmartPointer<vtkLight> AddLamp(vtkRenderer* renderer, const glm::dvec3& position);
-
-void LookAt(vtkRenderer* renderer, const glm::dvec3& position, const glm::dvec3& focus);
+using vtkshadows::scenes::AddActor;
+using vtkshadows::scenes::AddBox;
+using vtkshadows::scenes::AddFloor;
+using vtkshadows::scenes::AddLamp;
+using vtkshadows::scenes::AddSphere;
+using vtkshadows::scenes::AddSpot;
+using vtkshadows::scenes::AddSun;
+using vtkshadows::scenes::LookAt;
 
 //------------------------------------------------------------------------------
 // The test's surroundings: one window, a renderer and a pass that it has not been given yet.

@@ -1,0 +1,50 @@
+// The journal of a bench: a line of JSON for each thing as it is measured, so that a run that was
+// cut off can go on.
+#ifndef vtkshadows_BenchJournal_h
+#define vtkshadows_BenchJournal_h
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vtkshadows
+{
+
+class BenchJournal
+{
+public:
+  using Json = nlohmann::ordered_json;
+
+  // In the folder, which is there. `planKey`: what decides about the figures (PlanKey). Throws
+  // Failure if there is a journal and it shall not go on, or it is of another plan, or it cannot be
+  // read or written. A last line that was cut off is dropped.
+  BenchJournal(const std::filesystem::path& folder, const std::string& planKey, bool resume);
+
+  // Throws Failure unless the machine is the one that the journal was begun on.
+  void SetMachine(const Json& machine);
+  void AddScene(const Json& facts);
+  void AddRow(const Json& row);
+
+  bool HasRow(const std::string& key) const { return this->keys.count(key) > 0; }
+  const Json& Machine() const { return this->machine; }
+  const std::vector<Json>& Scenes() const { return this->scenes; }
+  const std::vector<Json>& Rows() const { return this->rows; }
+
+private:
+  void Read(const std::string& planKey);
+  void Keep(const Json& entry);
+  void Append(const Json& entry);
+
+  std::filesystem::path path;
+  Json machine;
+  std::vector<Json> scenes;
+  std::vector<Json> rows;
+  std::set<std::string> keys;
+};
+
+}
+
+#endif
