@@ -283,6 +283,8 @@ void LookAt(vtkRenderer* renderer, const glm::dvec3& position, const glm::dvec3&
 ShadowTest::ShadowTest()
   : Window(TheWindow())
 {
+  // What a technique does is tested by name; what is chosen, in TestAuto.cxx.
+  this->Shadows->SetTechnique("depth-map");
 }
 
 ShadowTest::~ShadowTest() = default;
