@@ -22,6 +22,8 @@ constexpr double NotPromising = 4.0;
 constexpr int FramesBetweenChecks = 32;
 constexpr int StrangeChecks = 2;
 constexpr double StrangeRatio = 1.7;
+// Ways whose times are kept though they are not there now.
+constexpr std::size_t MostPastWays = 32;
 
 std::string NumberText(double value)
 {
@@ -195,39 +197,47 @@ void FrameTrials::SetWays(const std::vector<FrameWay>& ways, const ShadowBudget&
     return;
   }
 
-  const std::vector<FrameWay> before = std::move(this->Ways);
-  const std::vector<Timing> timingsBefore = std::move(this->Timings);
-  const std::size_t chosenBefore = this->Chosen;
-  this->Ways = ways;
-  this->Timings.assign(ways.size(), {});
-  bool kept = false;
-  for (std::size_t i = 0; i < ways.size(); ++i)
+  const std::vector<ShadowSetting> chosen =
+    this->Ways.empty() ? std::vector<ShadowSetting>() : this->Way().settings;
+  for (std::size_t i = 0; i < this->Ways.size(); ++i)
   {
-    for (std::size_t k = 0; k < before.size(); ++k)
+    const auto past = std::find_if(this->Past.begin(), this->Past.end(),
+      [&](const auto& known) { return known.first == this->Ways[i].settings; });
+    if (past != this->Past.end())
     {
-      if (sameSettings(ways[i], before[k]))
-      {
-        this->Timings[i] = timingsBefore[k];
-        if (k == chosenBefore && ways[i].isRight)
-        {
-          this->Chosen = i;
-          kept = true;
-        }
-      }
+      past->second = this->Timings[i];
+    }
+    else if (this->Past.size() < MostPastWays)
+    {
+      this->Past.emplace_back(this->Ways[i].settings, this->Timings[i]);
     }
   }
+  this->Ways = ways;
+  this->Timings.assign(ways.size(), {});
   this->Settled = false;
-  if (!kept)
+  bool isKept = false;
+  for (std::size_t i = 0; i < ways.size(); ++i)
+  {
+    const auto past = std::find_if(this->Past.begin(), this->Past.end(),
+      [&](const auto& known) { return known.first == ways[i].settings; });
+    this->Timings[i] = past != this->Past.end() ? past->second : Timing();
+    if (ways[i].isRight && ways[i].settings == chosen)
+    {
+      this->Chosen = i;
+      isKept = true;
+    }
+  }
+  if (!isKept)
   {
     this->Chosen = this->Best();
   }
-  this->Timings[this->Chosen].frames = this->Timings[this->Chosen].IsDone() ? FramesBefore : 0;
   this->Advance();
 }
 
 void FrameTrials::Restart()
 {
   this->Timings.assign(this->Ways.size(), {});
+  this->Past.clear();
   this->Settled = false;
   this->SinceSettled = 0;
   this->Strange = 0;
@@ -400,6 +410,10 @@ std::string Explain(const Reasons& reasons, const ShadowBudget& budget)
   {
     text += reasons.setting.technique == "ray-cast" ? "traced, which is the truth"
                                                     : "exact for what casts and receives here";
+  }
+  else if (reasons.error && reasons.error->isOfNothing)
+  {
+    text += "none of the light falls on what is in view, so that nothing can be wrong";
   }
   else if (reasons.error)
   {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vtkshadows
@@ -84,6 +85,14 @@ struct ErrorPercents
   double meanDifference = 0.0;
   double sampled = 0.0; // pixels that stand for more of them; 0: every pixel was measured
 
+  bool isOfNothing = false; // no pixel could be measured: the light falls on none in view
+
+  static ErrorPercents OfNothing()
+  {
+    ErrorPercents error;
+    error.isOfNothing = true;
+    return error;
+  }
   static ErrorPercents Of(const VisibilityError& error, bool isSampled = false);
   // What a budget's maximum is held against.
   double Figure(bool isSoft) const { return isSoft ? this->meanDifference : this->mismatch; }
@@ -146,7 +155,9 @@ private:
   void Advance();
 
   std::vector<FrameWay> Ways;
-  std::vector<Timing> Timings;
+  std::vector<Timing> Timings; // of each way
+  // Of ways that there were, for when they are there again.
+  std::vector<std::pair<std::vector<ShadowSetting>, Timing>> Past;
   ShadowBudget Budget;
   std::size_t Chosen = 0;
   bool Settled = false;

@@ -2,6 +2,9 @@
 
 #include "vtkDepthShadowMapPass.h"
 
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderer.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -27,6 +30,7 @@ constexpr int UsualResolution = 2048;
 constexpr int UsualCascades = 1;
 constexpr int UsualFilter = vtkDepthShadowMapPass::PERCENTAGE_CLOSER;
 constexpr int ChosenCascades = 4;
+constexpr double ReachOfCascades = 0.3;
 
 // Above this many triangles no tree is built only to measure, unless a budget of error asks for it.
 constexpr double MostTrianglesMeasured = 5.0e6;
@@ -41,6 +45,9 @@ constexpr double MeasuringShare = 20.0;
 constexpr double MarginOfChosen = 1.05;
 constexpr double MarginOfOthers = 1.25;
 constexpr double MarginOfDrift = 2.0;
+
+// What an error counts as at least that was measured, percent: less is not told from none.
+constexpr double LeastMeasured = 1.0e-4;
 
 // Frames in a row that move, or that do not, before the choice is that of the other.
 constexpr int FramesOfMotion = 2;
@@ -100,8 +107,9 @@ double DistanceTo(const vtkshadows::Box& box, const glm::dvec3& p)
 //------------------------------------------------------------------------------
 double vtkShadowTechniqueChooser::Verdict::Figure() const
 {
+  // One without an error that was found is not yet exact.
   return this->Standing.kind == Standing::Exact ? 0.0
-    : this->Error                               ? this->Error->Figure(this->Soft)
+    : this->Error                               ? this->Error->Figure(this->Soft) + LeastMeasured
                                                 : 100.0;
 }
 
@@ -245,20 +253,20 @@ std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::L
 //------------------------------------------------------------------------------
 // The cheapest first. What the user has set, or what another light relies on, is not varied.
 std::vector<ShadowSetting> vtkShadowTechniqueChooser::MapSettingsToTry(
-  const Request& request, bool anySoft, bool anyHard, bool anyDirectional) const
+  const Request& request, bool anySoft, bool anyHard, bool anyCascaded) const
 {
   using Pass = vtkDepthShadowMapPass;
   std::vector<MapSettings> varied;
   if (anyHard)
   {
     varied = { { 1024, 1, UsualFilter }, { 2048, 1, UsualFilter } };
-    if (anyDirectional)
+    if (anyCascaded)
     {
       varied.push_back({ 1024, ChosenCascades, UsualFilter });
     }
     varied.push_back({ 4096, 1, UsualFilter });
     varied.push_back({ 2048, 1, Pass::EXACT });
-    if (anyDirectional)
+    if (anyCascaded)
     {
       varied.push_back({ 2048, ChosenCascades, Pass::EXACT });
     }
@@ -351,7 +359,8 @@ void vtkShadowTechniqueChooser::MeasureFor(
       if (found != indices.end())
       {
         const auto& error = errors[found - indices.begin()];
-        this->Errors.Keep(setting, light.Now, error ? *error : vtkshadows::ErrorPercents{}, cost);
+        this->Errors.Keep(
+          setting, light.Now, error ? *error : vtkshadows::ErrorPercents::OfNothing(), cost);
       }
     }
   }
@@ -436,11 +445,14 @@ std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
   }
   const auto any = [&](const auto& says)
   { return std::any_of(lights.begin(), lights.end(), says); };
-  const bool anyDirectional =
-    request.Frame->Renderer && any([](const ChosenLight& l) { return l.Needs.isDirectional; });
+  // Cascades are for what reaches much farther from the eye than its nearest part lies.
+  const bool mayCascade = !request.Frame->Renderer->GetActiveCamera()->GetParallelProjection();
+  const bool anyCascaded = mayCascade &&
+    any([](const ChosenLight& l)
+      { return l.Needs.isDirectional && l.Now.Distance < ReachOfCascades * l.Now.Reach; });
   const std::vector<Setting> maps =
     this->MapSettingsToTry(request, any([](const ChosenLight& l) { return l.Needs.isSoft; }),
-      any([](const ChosenLight& l) { return !l.Needs.isSoft; }), anyDirectional);
+      any([](const ChosenLight& l) { return !l.Needs.isSoft; }), anyCascaded);
 
   this->Verdicts.clear();
   const auto judge = [&](const Setting& setting)
@@ -603,7 +615,15 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
   }
   this->Trials().SetWays(ways, this->Budget);
 
-  const std::vector<Setting>& settings = this->Trials().Way().settings;
+  // A read-back is of the last frame's way, as long as that is right.
+  const std::vector<FrameWay>& there = this->Trials().GetWays();
+  const auto last = std::find_if(there.begin(), there.end(),
+    [&](const FrameWay& way) { return way.settings == this->LastSettings; });
+  this->Drawn = !request.IsDrawn && last != there.end()
+    ? static_cast<std::size_t>(last - there.begin())
+    : this->Trials().Current();
+  const std::vector<Setting>& settings = there[this->Drawn].settings;
+  this->LastSettings = settings;
   const Setting* map = nullptr;
   for (std::size_t i = 0, k = 0; i < request.Lights.size(); ++i)
   {
@@ -659,9 +679,9 @@ std::string vtkShadowTechniqueChooser::Explain(const vtkLight* light) const
   const std::size_t index = found - this->Chosen.begin();
   const vtkshadows::FrameTrials& trials = this->Trials();
   vtkshadows::Reasons reasons;
-  reasons.setting = trials.Way().settings[index];
+  reasons.setting = trials.GetWays()[this->Drawn].settings[index];
   reasons.isSoft = found->Needs.isSoft;
-  reasons.seconds = trials.SecondsOf(trials.Current());
+  reasons.seconds = trials.SecondsOf(this->Drawn);
   const auto own = this->Verdicts.find(reasons.setting.Text());
   if (own != this->Verdicts.end())
   {
@@ -675,7 +695,7 @@ std::string vtkShadowTechniqueChooser::Explain(const vtkLight* light) const
   {
     const Setting& other = trials.GetWays()[i].settings[index];
     const std::optional<double> seconds = trials.SecondsOf(i);
-    if (i != trials.Current() && seconds &&
+    if (i != this->Drawn && seconds &&
       std::find(told.begin(), told.end(), other.Text()) == told.end())
     {
       told.push_back(other.Text());

@@ -98,7 +98,7 @@ private:
   void NoteMotion(const Request& request);
   std::vector<ChosenLight> LightsOf(const Request& request, const std::vector<bool>& reach) const;
   std::vector<Setting> MapSettingsToTry(
-    const Request& request, bool anySoft, bool anyHard, bool anyDirectional) const;
+    const Request& request, bool anySoft, bool anyHard, bool anyCascaded) const;
   Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light);
   void MeasureFor(
     const Request& request, const Setting& setting, const std::vector<ChosenLight>& lights);
@@ -123,6 +123,8 @@ private:
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
   std::vector<Setting> Fallbacks;                       // tried beside maps
   bool IsChosen = false;
+  std::size_t Drawn = 0; // among the ways: the last Choose's
+  std::vector<Setting> LastSettings;
   double MeasuringSeconds = 0.0;
   double TimedFor[3] = { 0.0, 0.0, 0.0 }; // triangles, pixels and lights that times are of
 
