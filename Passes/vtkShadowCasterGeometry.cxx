@@ -474,6 +474,111 @@ double ReachOfImpostors(vtkMapper* mapper)
   return 0.0;
 }
 
+// Why nothing of a piece has a surface; empty: it has.
+std::string SkippedWhole(const vtkShadowScene::Piece& piece)
+{
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  return piece.Mapper->IsA("vtkOpenGLSphereMapper") ? ""
+    : piece.Mapper->IsA("vtkOpenGLStickMapper") || piece.Mapper->IsA("vtkPointGaussianMapper")
+    ? piece.Mapper->GetClassName()
+    : actor && actor->GetProperty()->GetRepresentation() != VTK_SURFACE
+    ? "a wireframe or points representation"
+    : "";
+}
+
+// The data sets that are leaves of `data`.
+template <typename Use>
+void ForEachDataSet(vtkDataObject* data, const Use& use)
+{
+  if (auto* leaf = vtkDataSet::SafeDownCast(data))
+  {
+    use(leaf);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        use(block);
+      }
+    }
+  }
+}
+
+bool IsFinite(vtkDataSet* data)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  vtkDataArray* values = points && points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
+  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+  {
+    double p[3];
+    values->GetTuple(i, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SurveyMesh(Geometry::Survey& survey, vtkDataSet* data, double instances)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (mesh && mesh->GetNumberOfLines() + mesh->GetNumberOfVerts() > 0)
+  {
+    survey.NoSurface = "lines and points";
+  }
+  // A polygon of n corners is drawn as n - 2 triangles, and so is a strip.
+  const auto trianglesOf = [](vtkCellArray* cells)
+  {
+    return static_cast<double>(cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells());
+  };
+  survey.Triangles += instances *
+    (mesh ? trianglesOf(mesh->GetPolys()) + trianglesOf(mesh->GetStrips())
+          : static_cast<double>(data->GetNumberOfCells()));
+  if (!IsFinite(data))
+  {
+    survey.NoFiniteSurface = "points that are not finite";
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterGeometry::Survey vtkShadowCasterGeometry::SurveyOf(
+  const vtkShadowScene::Piece& piece)
+{
+  Survey survey;
+  survey.HasSpheres = piece.Mapper->IsA("vtkOpenGLSphereMapper") != 0;
+  survey.NoSurface = SkippedWhole(piece);
+  vtkDataObject* input = piece.Mapper->GetInputDataObject(0, 0);
+  if (survey.HasSpheres)
+  {
+    survey.NoSurface = piece.Mapper->GetClippingPlanes() ? "clipped spheres" : "";
+  }
+  else if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(piece.Mapper))
+  {
+    double points = 0.0;
+    ForEachDataSet(
+      input, [&](vtkDataSet* data) { points += static_cast<double>(data->GetNumberOfPoints()); });
+    const int sources = glyphs->GetNumberOfInputConnections(1);
+    for (int i = 0; i < sources; ++i)
+    {
+      ForEachDataSet(glyphs->GetInputDataObject(1, i),
+        [&](vtkDataSet* data) { SurveyMesh(survey, data, points / sources); });
+    }
+    if (glyphs->GetUseSourceTableTree())
+    {
+      survey.NoSurface = "glyphs of a source tree";
+    }
+  }
+  else if (survey.NoSurface.empty())
+  {
+    ForEachDataSet(input, [&](vtkDataSet* data) { SurveyMesh(survey, data, 1.0); });
+  }
+  return survey;
 }
 
 //------------------------------------------------------------------------------
@@ -555,18 +660,13 @@ vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(const vtkShadowScene::P
   const glm::dmat4& traceFromModel, const glm::dmat4& worldFromTrace)
 {
   Geometry out;
-  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  out.Skipped = SkippedWhole(piece);
   if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(piece.Mapper))
   {
     AppendSpheres(out, spheres, traceFromModel);
   }
-  else if (piece.Mapper->IsA("vtkOpenGLStickMapper") || piece.Mapper->IsA("vtkPointGaussianMapper"))
+  else if (!out.Skipped.empty())
   {
-    out.Skipped = piece.Mapper->GetClassName();
-  }
-  else if (actor && actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
-  {
-    out.Skipped = "a wireframe or points representation";
   }
   else if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(piece.Mapper))
   {

@@ -44,6 +44,16 @@ struct vtkShadowCasterGeometry
   // sets.
   static std::vector<std::vector<glm::dmat4>> InstancesOf(vtkGlyph3DMapper* mapper);
 
+  // What a piece is, without its triangles being gone through one by one.
+  struct Survey
+  {
+    double Triangles = 0.0;      // about how many
+    bool HasSpheres = false;     // of the sphere mapper
+    std::string NoSurface;       // what of it has no surface, as Skipped; empty: nothing
+    std::string NoFiniteSurface; // why its triangles are not all finite; empty: they are
+  };
+  static Survey SurveyOf(const vtkShadowScene::Piece& piece);
+
   // Extract `piece`, in a space of the caller's (so that floats are relative to the scene, or the
   // caster); worldFromTrace is needed only where the mapper has clipping planes.
   static vtkShadowCasterGeometry Extract(const vtkShadowScene::Piece& piece,

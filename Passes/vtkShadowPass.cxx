@@ -6,9 +6,11 @@
 #include "vtkShadowLightFalloffs.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowMeasured.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowReceiverBuffer.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowStageClock.h"
+#include "vtkShadowTechniqueChooser.h"
 #include "vtkShadowTexturePass.h"
 #include "vtkShadowedShadingPass.h"
 #include "vtkStencilShadowVolumePass.h"
@@ -45,7 +47,9 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 vtkStandardNewMacro(vtkShadowPass);
@@ -59,6 +63,7 @@ namespace
 {
 
 const char* const NoTechnique = "none";
+const char* const AutoTechnique = "auto";
 
 const char* const NoView = "none";
 
@@ -70,6 +75,15 @@ const std::vector<std::string> DebugViews = { "volumes", "silhouette", "counts",
 
 // Faces nearer to edge-on than this are not measured: there, a rounding decides what is in shadow.
 constexpr double GrazingCosine = 0.02;
+
+// Pixels from a true edge beyond which a mismatch is gross.
+constexpr double GrossDistance = 2.0;
+
+// Rays that a choice traces for one measure: enough for one gross pixel in 100 000 to be seen, and
+// a small part of a second. Lights share them, down to so many pixels each.
+constexpr double MeasuredRays = 5.0e5;
+constexpr double MeasuredRaysOfBudget = 4.0e6; // where a budget of error is held against it
+constexpr double LeastMeasuredPixels = 3.0e4;
 
 struct LightSettings
 {
@@ -158,6 +172,13 @@ std::string Named(const vtkObject* object)
   return text.str();
 }
 
+// By the clock, once OpenGL has worked off all that it was given.
+double SecondsOnceDrawn()
+{
+  glFinish();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 vtkInformation* KeysOf(vtkProp* prop)
 {
   if (!prop->GetPropertyKeys())
@@ -226,7 +247,7 @@ class vtkShadowPass::Internals
 public:
   std::vector<vtkSmartPointer<vtkShadowTechniquePass>> Owned;
   std::vector<vtkShadowTechniquePass*> Techniques; // owned ones, or one that is borrowed
-  std::string Default = "depth-map";
+  std::string Default = AutoTechnique;
   std::vector<LightSettings> Lights;
   std::string DebugView = NoView;
   std::string DebugFault;                 // as it was last told
@@ -240,6 +261,8 @@ public:
   vtkShadowReceiverBuffer Receivers;
   vtkShadowStageClock Clock;
   bool TimeStages = false;
+  vtkShadowTechniqueChooser Chooser; // for the lights of "auto"
+  bool WasSettled = true;            // its choice, in the last frame
 
   vtkShadowTechniquePass* Find(const std::string& name) const
   {
@@ -260,7 +283,29 @@ public:
     {
       names += std::string(technique->GetTechniqueName()) + ", ";
     }
-    return names + NoTechnique;
+    return names + AutoTechnique + ", " + NoTechnique;
+  }
+
+#ifdef VTKSHADOWS_WITH_EMBREE
+  // The owned one, or, for a pass that is another technique's, one of its own.
+  vtkRayCastShadowPass* GetRayCast()
+  {
+    if (!this->RayCast)
+    {
+      this->RayCast = vtkRayCastShadowPass::SafeDownCast(this->Find("ray-cast"));
+    }
+    if (!this->RayCast)
+    {
+      this->RayCast = vtkSmartPointer<vtkRayCastShadowPass>::New();
+    }
+    return this->RayCast;
+  }
+  vtkSmartPointer<vtkRayCastShadowPass> RayCast;
+#endif
+
+  bool IsKnown(const std::string& name) const
+  {
+    return name == NoTechnique || name == AutoTechnique || this->Find(name);
   }
 
   // The techniques that a view explains.
@@ -309,7 +354,17 @@ public:
   }
 
   vtkShadowFrame FrameOf(const vtkRenderState* s);
-  std::vector<vtkShadowedShadingPass::LightPlan> PlanLights(bool withStrength);
+  std::vector<vtkShadowedShadingPass::LightPlan> PlanLights(
+    const vtkShadowFrame& frame, bool withStrength);
+  void ChooseTechniques(const vtkShadowFrame& frame,
+    std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
+    bool isDrawn);
+  bool MeasureErrors(const vtkShadowFrame& frame,
+    const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
+    std::vector<std::optional<vtkshadows::ErrorPercents>>& errors);
+  bool TraceTruth(
+    const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light, Measured& measured);
+  void ReleaseWhatWasTried(vtkWindow* window);
   bool Begin(const vtkShadowFrame& frame, bool withStrength, bool always);
   void UpdateTechniques(
     const vtkShadowFrame& frame, std::vector<vtkShadowedShadingPass::LightPlan>& plan, bool masks);
@@ -349,7 +404,7 @@ vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
 
 //------------------------------------------------------------------------------
 std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLights(
-  bool withStrength)
+  const vtkShadowFrame& frame, bool withStrength)
 {
   std::vector<vtkShadowedShadingPass::LightPlan> plan;
   for (vtkShadowTechniquePass* technique : this->Techniques)
@@ -359,6 +414,7 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
   const bool anyCaster = this->Scene->GetNumberOfCasters() > 0;
   const bool anyReceiver = this->Scene->GetNumberOfReceivers() > 0;
   const std::vector<vtkShadowScene::Light>& lights = this->Scene->GetLights();
+  std::vector<int> toChoose;
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     const LightSettings settings = this->SettingsOf(lights[i].Source);
@@ -370,13 +426,22 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
     entry.Fade = static_cast<float>(settings.Fade);
     if (anyCaster && anyReceiver && !lights[i].AtEye && entry.Strength > 0.0f)
     {
-      entry.Technique = this->Find(settings.Technique.empty() ? this->Default : settings.Technique);
+      const std::string& name = settings.Technique.empty() ? this->Default : settings.Technique;
+      entry.Technique = this->Find(name);
+      if (name == AutoTechnique)
+      {
+        toChoose.push_back(static_cast<int>(i));
+      }
     }
+    plan.push_back(entry);
+  }
+  this->ChooseTechniques(frame, plan, toChoose, withStrength);
+  for (vtkShadowedShadingPass::LightPlan& entry : plan)
+  {
     if (entry.Technique)
     {
       entry.Slot = entry.Technique->NumberOfSlots++;
     }
-    plan.push_back(entry);
   }
   return plan;
 }
@@ -427,6 +492,132 @@ void vtkShadowPass::Internals::TellFalloffs(const std::vector<std::string>& faul
 }
 
 //------------------------------------------------------------------------------
+// Give `lights` of the plan techniques by choice.
+void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
+  std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
+  bool isDrawn)
+{
+  auto* maps = vtkDepthShadowMapPass::SafeDownCast(this->Find("depth-map"));
+  if (lights.empty() || frame.Size[0] < 1 || frame.Size[1] < 1)
+  {
+    this->Chooser.Rest(maps);
+    return;
+  }
+  vtkShadowTechniqueChooser::Request request;
+  request.Frame = &frame;
+  request.Lights = lights;
+  request.Maps = maps;
+  request.MapsAreNamed = std::any_of(plan.begin(), plan.end(),
+    [&](const vtkShadowedShadingPass::LightPlan& entry) { return entry.Technique == maps; });
+  request.HasRays = this->Find("ray-cast") != nullptr;
+  request.Planes =
+    vtkPlanarShadowPass::SafeDownCast(this->Find("planar"))->GetMaximumNumberOfPlanes();
+  request.IsDrawn = isDrawn;
+  request.MeasureErrors = [&](const std::vector<int>& measured,
+                            std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
+  { return this->MeasureErrors(frame, plan, measured, errors); };
+  const std::vector<std::string> names = this->Chooser.Choose(request);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    plan[lights[i]].Technique = this->Find(names[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Hold what depth maps make of `lights`, as they are set, against the truth, in this view, at no
+// more pixels than a part of a second allows.
+bool vtkShadowPass::Internals::MeasureErrors(const vtkShadowFrame& frame,
+  const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
+  std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
+{
+#ifdef VTKSHADOWS_WITH_EMBREE
+  vtkShadowTechniquePass* maps = this->Find("depth-map");
+  std::vector<vtkShadowedShadingPass::LightPlan> measuredPlan = plan;
+  double rays = 0.0;
+  for (vtkShadowedShadingPass::LightPlan& entry : measuredPlan)
+  {
+    entry.Technique = nullptr;
+    entry.Strength = 1.0f;
+    entry.MaximumDistance = 0.0f;
+  }
+  maps->NumberOfSlots = 0;
+  for (const int i : lights)
+  {
+    measuredPlan[i].Technique = maps;
+    measuredPlan[i].Slot = maps->NumberOfSlots++;
+    const bool isSoft = this->Scene->GetLights()[i].Ray.radius > 0.0;
+    rays += isSoft ? this->GetRayCast()->GetLightSamples() : 1.0;
+  }
+  vtkShadowFrame reduced = frame;
+  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
+  const double budget =
+    this->Chooser.GetBudget().maximumError ? MeasuredRaysOfBudget : MeasuredRays;
+  const double scale =
+    std::min(1.0, std::sqrt(std::max(budget / rays, LeastMeasuredPixels) / pixels));
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    reduced.Size[axis] = std::max(1, static_cast<int>(std::lround(scale * frame.Size[axis])));
+    reduced.Origin[axis] = 0;
+  }
+  vtkShadowReceiverBuffer receivers;
+  reduced.Receivers = &receivers;
+
+  this->Shading->SetPlan(measuredPlan);
+  this->Shading->Attach(reduced);
+  bool done = maps->UpdateVisibility(reduced, lights);
+  this->Shading->ActivateTextures();
+  for (std::size_t i = 0; done && i < lights.size(); ++i)
+  {
+    Measured measured;
+    done = this->TraceTruth(reduced, receivers, lights[i], measured) &&
+      receivers.DrawVisibility(reduced, lights[i], measured.Visibility);
+    if (!done)
+    {
+      break;
+    }
+    vtkshadows::VisibilityImages images;
+    images.width = reduced.Size[0];
+    images.height = reduced.Size[1];
+    images.visibility = measured.Visibility.data();
+    images.truth = measured.Truth.data();
+    images.role = measured.Roles.data();
+    const vtkshadows::VisibilityError error =
+      vtkshadows::MeasureVisibility(images, GrossDistance * scale);
+    errors.push_back(error.receiverPixels > 0 ? std::optional<vtkshadows::ErrorPercents>(
+                                                  vtkshadows::ErrorPercents::Of(error, scale < 1.0))
+                                              : std::nullopt);
+  }
+  this->Shading->Detach();
+  receivers.Release();
+  maps->NumberOfSlots = 0;
+  return done;
+#else
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// Once the choice is made, what was only tried gives back what it keeps with the driver.
+void vtkShadowPass::Internals::ReleaseWhatWasTried(vtkWindow* window)
+{
+  const bool isSettled = this->Chooser.IsSettled();
+  if (isSettled && !this->WasSettled)
+  {
+    for (vtkShadowTechniquePass* technique : this->Techniques)
+    {
+      const bool isUsed = std::any_of(this->Plan.begin(), this->Plan.end(),
+        [&](const vtkShadowedShadingPass::LightPlan& entry)
+        { return entry.Technique == technique; });
+      if (!isUsed && !this->Chooser.MayUse(technique->GetTechniqueName()))
+      {
+        technique->ReleaseGraphicsResources(window);
+      }
+    }
+  }
+  this->WasSettled = isSettled;
+}
+
+//------------------------------------------------------------------------------
 // Everything up to the shading: true if there is anything to shade with, and then End() must
 // follow.
 bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStrength, bool always)
@@ -434,7 +625,7 @@ bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStren
   this->Receivers.Invalidate();
   this->Clock.Start(SceneStage);
   this->Scene->Gather(frame.Renderer);
-  std::vector<vtkShadowedShadingPass::LightPlan> plan = this->PlanLights(withStrength);
+  std::vector<vtkShadowedShadingPass::LightPlan> plan = this->PlanLights(frame, withStrength);
   if (withStrength)
   {
     this->TellFalloffs(this->PlanFalloffs(plan));
@@ -444,6 +635,7 @@ bool vtkShadowPass::Internals::Begin(const vtkShadowFrame& frame, bool withStren
     { return entry.Technique != nullptr || entry.FallsOff(); });
   if ((!any && !always) || frame.Size[0] < 1 || frame.Size[1] < 1)
   {
+    this->Plan = plan;
     return false;
   }
 
@@ -605,6 +797,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   const vtkShadowFrame frame = this->Internal->FrameOf(s);
   vtkShadowStageClock& clock = this->Internal->Clock;
   clock.BeginFrame(this->Internal->TimeStages);
+  const bool isTimed = this->Internal->Chooser.WantsTime();
+  const double start = isTimed ? SecondsOnceDrawn() : 0.0;
   const bool shadowed = !renderer->GetSelector() && this->Internal->Begin(frame, true, false);
   clock.Start(ShadingStage);
   if (this->Internal->Delegate)
@@ -625,6 +819,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   clock.EndFrame();
+  this->Internal->Chooser.FrameDrawn(
+    isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
   if (shadowed)
   {
     if (this->Internal->DebugView != NoView)
@@ -632,6 +828,7 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
       this->ShowDebugView(frame);
     }
     this->Internal->End();
+    this->Internal->ReleaseWhatWasTried(frame.Window);
   }
 }
 
@@ -716,7 +913,7 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* w)
 //------------------------------------------------------------------------------
 bool vtkShadowPass::SetTechnique(const std::string& name)
 {
-  if (name != NoTechnique && !this->Internal->Find(name))
+  if (!this->Internal->IsKnown(name))
   {
     vtkErrorMacro("Technique \"" << name << "\" is not known: use one of "
                                  << this->Internal->KnownNames() << ". It stays \""
@@ -737,6 +934,103 @@ std::string vtkShadowPass::GetTechnique() const
   return this->Internal->Default;
 }
 
+void vtkShadowPass::SetTechniqueToAuto()
+{
+  this->SetTechnique(AutoTechnique);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetMaximumError(double percent)
+{
+  if (!std::isfinite(percent) || percent < 0.0 || percent > 100.0)
+  {
+    vtkErrorMacro(
+      "MaximumError " << percent
+                      << " is no share of the pixels: give percent, above 0 to 100, or 0 "
+                         "for no limit. It stays "
+                      << this->GetMaximumError() << ".");
+    return;
+  }
+  if (percent != this->GetMaximumError())
+  {
+    vtkshadows::ShadowBudget budget = this->Internal->Chooser.GetBudget();
+    budget.maximumError = percent > 0.0 ? std::optional<double>(percent) : std::nullopt;
+    this->Internal->Chooser.SetBudget(budget);
+    this->Modified();
+  }
+}
+
+double vtkShadowPass::GetMaximumError() const
+{
+  return this->Internal->Chooser.GetBudget().maximumError.value_or(0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetMaximumFrameTime(double milliseconds)
+{
+  if (!std::isfinite(milliseconds) || milliseconds < 0.0)
+  {
+    vtkErrorMacro("MaximumFrameTime " << milliseconds
+                                      << " is no time of a frame: give milliseconds, above 0, or 0 "
+                                         "for no limit. It stays "
+                                      << this->GetMaximumFrameTime() << ".");
+    return;
+  }
+  if (milliseconds != this->GetMaximumFrameTime())
+  {
+    vtkshadows::ShadowBudget budget = this->Internal->Chooser.GetBudget();
+    budget.maximumSeconds =
+      milliseconds > 0.0 ? std::optional<double>(0.001 * milliseconds) : std::nullopt;
+    this->Internal->Chooser.SetBudget(budget);
+    this->Modified();
+  }
+}
+
+double vtkShadowPass::GetMaximumFrameTime() const
+{
+  return 1000.0 * this->Internal->Chooser.GetBudget().maximumSeconds.value_or(0.0);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetExplanation(vtkLight* light) const
+{
+  const Internals& my = *this->Internal;
+  const std::vector<vtkShadowScene::Light>& lights = my.Scene->GetLights();
+  const auto found = std::find_if(lights.begin(), lights.end(),
+    [light](const vtkShadowScene::Light& one) { return one.Source == light; });
+  if (!light || found == lights.end())
+  {
+    return "none: the last frame had no such light.";
+  }
+  const std::string name = this->GetLightTechnique(light);
+  return name != AutoTechnique ? name + ": named, not chosen."
+    : found->AtEye             ? "none: from the eye, where the light is, no shadow is seen."
+    : this->GetLightStrength(light) <= 0.0 ? "none: the strength of its shadows is 0."
+    : my.Scene->GetNumberOfCasters() < 1   ? "none: nothing casts."
+    : my.Scene->GetNumberOfReceivers() < 1 ? "none: nothing receives."
+                                           : my.Chooser.Explain(light);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetChosenTechnique(vtkLight* light) const
+{
+  const Internals& my = *this->Internal;
+  const std::vector<vtkShadowScene::Light>& lights = my.Scene->GetLights();
+  for (std::size_t i = 0; i < lights.size() && i < my.Plan.size(); ++i)
+  {
+    if (lights[i].Source == light && my.Plan[i].Technique)
+    {
+      return my.Plan[i].Technique->GetTechniqueName();
+    }
+  }
+  return NoTechnique;
+}
+
+bool vtkShadowPass::GetChoiceIsSettled() const
+{
+  return this->Internal->Chooser.IsSettled();
+}
+
 //------------------------------------------------------------------------------
 bool vtkShadowPass::SetLightTechnique(vtkLight* light, const std::string& name)
 {
@@ -745,7 +1039,7 @@ bool vtkShadowPass::SetLightTechnique(vtkLight* light, const std::string& name)
     vtkErrorMacro("SetLightTechnique(nullptr, \"" << name << "\"): give a vtkLight.");
     return false;
   }
-  if (!name.empty() && name != NoTechnique && !this->Internal->Find(name))
+  if (!name.empty() && !this->Internal->IsKnown(name))
   {
     vtkErrorMacro("Technique \"" << name << "\" of light " << light << " is not known: use one of "
                                  << this->Internal->KnownNames() << ".");
@@ -957,6 +1251,7 @@ void vtkShadowPass::GetTechniqueNames(vtkStringArray* names)
   {
     names->InsertNextValue(technique->GetTechniqueName());
   }
+  names->InsertNextValue(AutoTechnique);
   names->InsertNextValue(NoTechnique);
 }
 
@@ -1298,6 +1593,56 @@ double vtkShadowPass::TimeBareTracing(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// The truth of light `light` at every pixel, and what each pixel is to the measure.
+bool vtkShadowPass::Internals::TraceTruth(
+  const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light, Measured& measured)
+{
+#ifdef VTKSHADOWS_WITH_EMBREE
+  const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
+  measured.Size[0] = frame.Size[0];
+  measured.Size[1] = frame.Size[1];
+  const vtkshadows::ShadowLight ray = this->Scene->GetLights()[light].Ray;
+  vtkRayCastShadowPass* reference = this->GetRayCast();
+  std::vector<float> nearby;
+  if (!receivers.Draw(frame) ||
+    !reference->TraceVisibility(frame, receivers, ray, 1.0, measured.Truth) ||
+    !reference->TraceVisibility(frame, receivers, ray, 4.0, nearby))
+  {
+    return false;
+  }
+  const glm::dmat4 worldFromView = glm::inverse(frame.ViewFromWorld);
+  const double coneCosine = std::cos(glm::radians(ray.coneAngle));
+  measured.Roles.assign(pixels, vtkshadows::PixelRole::Background);
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    vtkShadowReceiverBuffer::Receiver receiver;
+    if (!receivers.At(i, receiver))
+    {
+      continue;
+    }
+    const glm::dvec3 pointWC(worldFromView * glm::dvec4(receiver.PositionVC, 1.0));
+    const glm::dvec3 normalWC(worldFromView * glm::dvec4(receiver.NormalVC, 0.0));
+    const glm::dvec3 towardLight = ray.TowardLight(pointWC);
+    // A spot shines on nothing outside its cone.
+    const bool reached = ray.kind != vtkshadows::LightKind::Spot ||
+      -glm::dot(towardLight, ray.direction) >= coneCosine;
+    measured.Roles[i] = !reached || glm::dot(normalWC, towardLight) <= GrazingCosine
+      ? vtkshadows::PixelRole::Grazing
+      : std::abs(measured.Truth[i] - nearby[i]) > 0.5f ? vtkshadows::PixelRole::Uncertain
+                                                       : vtkshadows::PixelRole::Measured;
+  }
+  // A headlight is lit everywhere by definition, and its truth with it.
+  if (this->Scene->GetLights()[light].AtEye)
+  {
+    std::fill(measured.Truth.begin(), measured.Truth.end(), 1.0f);
+  }
+  return true;
+#else
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measured& measured)
 {
 #ifndef VTKSHADOWS_WITH_EMBREE
@@ -1311,11 +1656,6 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
     return false;
   }
   Internals& my = *this->Internal;
-  vtkSmartPointer<vtkRayCastShadowPass> reference = this->GetRayCastShadowPass();
-  if (!reference)
-  {
-    reference = vtkSmartPointer<vtkRayCastShadowPass>::New();
-  }
   const StateOfRenderer state(renderer);
   const vtkShadowFrame frame = my.FrameOf(state.Get());
   const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
@@ -1326,43 +1666,8 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
     return false;
   }
 
-  measured.Size[0] = frame.Size[0];
-  measured.Size[1] = frame.Size[1];
-  const vtkshadows::ShadowLight ray = my.Scene->GetLights()[index].Ray;
-  std::vector<float> nearby;
-  bool done = my.Receivers.Draw(frame) &&
-    reference->TraceVisibility(frame, my.Receivers, ray, 1.0, measured.Truth) &&
-    reference->TraceVisibility(frame, my.Receivers, ray, 4.0, nearby);
-  if (done)
-  {
-    const glm::dmat4 worldFromView = glm::inverse(frame.ViewFromWorld);
-    const double coneCosine = std::cos(glm::radians(ray.coneAngle));
-    measured.Roles.assign(pixels, vtkshadows::PixelRole::Background);
-    for (std::size_t i = 0; i < pixels; ++i)
-    {
-      vtkShadowReceiverBuffer::Receiver receiver;
-      if (!my.Receivers.At(i, receiver))
-      {
-        continue;
-      }
-      const glm::dvec3 pointWC(worldFromView * glm::dvec4(receiver.PositionVC, 1.0));
-      const glm::dvec3 normalWC(worldFromView * glm::dvec4(receiver.NormalVC, 0.0));
-      const glm::dvec3 towardLight = ray.TowardLight(pointWC);
-      // A spot shines on nothing outside its cone.
-      const bool reached = ray.kind != vtkshadows::LightKind::Spot ||
-        -glm::dot(towardLight, ray.direction) >= coneCosine;
-      measured.Roles[i] = !reached || glm::dot(normalWC, towardLight) <= GrazingCosine
-        ? vtkshadows::PixelRole::Grazing
-        : std::abs(measured.Truth[i] - nearby[i]) > 0.5f ? vtkshadows::PixelRole::Uncertain
-                                                         : vtkshadows::PixelRole::Measured;
-    }
-    // A headlight is lit everywhere by definition, and its truth with it.
-    if (my.Scene->GetLights()[index].AtEye)
-    {
-      std::fill(measured.Truth.begin(), measured.Truth.end(), 1.0f);
-    }
-    done = my.Receivers.DrawVisibility(frame, index, measured.Visibility);
-  }
+  const bool done = my.TraceTruth(frame, my.Receivers, index, measured) &&
+    my.Receivers.DrawVisibility(frame, index, measured.Visibility);
   my.End();
   if (!done)
   {
@@ -1379,6 +1684,8 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->Internal->Default << "\n";
+  os << indent << "MaximumError: " << this->GetMaximumError() << "\n";
+  os << indent << "MaximumFrameTime: " << this->GetMaximumFrameTime() << "\n";
   os << indent << "Known techniques: " << this->Internal->KnownNames() << "\n";
   os << indent << "Lights with settings: " << this->Internal->Lights.size() << "\n";
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";

@@ -7,9 +7,10 @@
  * vtkNew<vtkShadowPass> shadows;
  * renderer->SetPass(shadows);
  * @endcode
- * Every switched-on light that is not a headlight then casts shadows, by depth map unless another
- * technique is named. Each light's colour is multiplied by that light's **visibility** (1 where the
- * receiver sees the light, 0 where it does not); ambient light is left alone.
+ * Every switched-on light that is not a headlight then casts shadows, by a technique that is chosen
+ * for it ("auto") unless one is named. Each light's colour is multiplied by that light's
+ * **visibility** (1 where the receiver sees the light, 0 where it does not); ambient light is left
+ * alone.
  *
  * The frame is otherwise VTK's own: without a delegate the renderer draws its opaque, translucent,
  * volumetric and overlay props as it would without a pass (depth peeling, FXAA, SSAO and hidden
@@ -87,12 +88,50 @@ public:
 
   ///@{
   /**
-   * Technique of every light that has none of its own: "depth-map" (default), "object-id",
-   * "planar", "shadow-texture", "stencil-volume", "ray-cast" or "none" (every light lit). An
-   * unknown name is an error that lists the known ones, and changes nothing.
+   * Technique of every light that has none of its own: "auto" (default: chosen for it, see below),
+   * "depth-map", "object-id", "planar", "shadow-texture", "stencil-volume", "ray-cast" or "none"
+   * (every light lit). An unknown name is an error that lists the known ones, and changes nothing.
    */
   bool SetTechnique(const std::string& name);
+  void SetTechniqueToAuto();
   std::string GetTechnique() const;
+  ///@}
+
+  ///@{
+  /**
+   * What a light of "auto" may cost. MaximumError: percent of the receiver pixels that may be wrong
+   * (vtkShadowErrorMeasure's mismatch; of a light with a radius 100 times the mean absolute
+   * difference), to 100; 0 (default): no gross error, which is at most one pixel in 100 000.
+   * MaximumFrameTime: milliseconds that a frame may take, from the lights' being gathered to the
+   * last prop drawn; 0 (default): any. With an error, or neither, a light has the fastest that
+   * keeps to it; with a time alone the most accurate that does; with both the error comes first,
+   * and GetExplanation says if the time is not held. Negative values, and what is not finite, are
+   * errors and change nothing.
+   *
+   * What is right by construction in a scene (planar shadows where all that receives is flat,
+   * shadow volumes where all that casts is triangles, rays) is taken for right. The error of depth
+   * maps is measured beside the frame, at up to half a million rays: at the first frame, and again
+   * once view, lights or casters are clearly others. In the first frames what may be the fastest is
+   * drawn a few times each; all of it keeps to the budget of error. In a frame where lights or
+   * casters move another choice may hold. Of the depth map's settings, resolution, cascades and
+   * filter are chosen with it, as far as they are at their defaults and no other light names
+   * "depth-map"; they are put back once no light is of "auto".
+   */
+  void SetMaximumError(double percent);
+  double GetMaximumError() const;
+  void SetMaximumFrameTime(double milliseconds);
+  double GetMaximumFrameTime() const;
+  ///@}
+
+  ///@{
+  /**
+   * Of the last frame: why a light has its technique, in a sentence that names it first; the
+   * technique itself, "none" if it has none; and whether frames are no longer drawn to tell the
+   * fastest.
+   */
+  std::string GetExplanation(vtkLight* light) const;
+  std::string GetChosenTechnique(vtkLight* light) const;
+  bool GetChoiceIsSettled() const;
   ///@}
 
   ///@{
@@ -186,7 +225,7 @@ public:
   void ClearLightSettings(vtkLight* light);
 
   /**
-   * Names of the techniques there are in this build, "none" included.
+   * Names of the techniques there are in this build, "auto" and "none" included.
    */
   static void GetTechniqueNames(vtkStringArray* names);
 

@@ -44,6 +44,8 @@ struct RawOptions
   bool texturePerCaster = false;
   std::optional<double> isovalue;
   std::optional<int> frames;
+  std::optional<double> maximumError;
+  std::optional<double> maximumFrameTime;
   bool quiet = false;
   BenchOptions bench;
   std::optional<std::string> benchSize;
@@ -120,6 +122,15 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
   app.add_flag("--texture-per-caster", raw.texturePerCaster,
     "of shadow-texture, a texture for each mesh: casters take the shadows of others");
   app
+    .add_option("--max-error", raw.maximumError,
+      "of --technique auto: percent of the receiver pixels that may be wrong; default: no gross "
+      "error")
+    ->type_name("PERCENT");
+  app
+    .add_option("--max-frame-time", raw.maximumFrameTime,
+      "of --technique auto: milliseconds that a frame may take; default: the fastest")
+    ->type_name("MS");
+  app
     .add_option(
       "--isovalue", raw.isovalue, "where images are contoured; default: middle of the range")
     ->type_name("V");
@@ -135,7 +146,9 @@ CLI::App* AddRender(CLI::App& app, RawOptions& raw)
   render->add_option("-o,--output", raw.output, "the picture, .png")
     ->required()
     ->type_name("IMAGE");
-  render->add_option("--technique", raw.techniques, "of every light: " + KnownTechniques())
+  render
+    ->add_option("--technique", raw.techniques,
+      "of every light: " + KnownTechniques() + "; default: auto, with --debug depth-map")
     ->type_name("NAME")
     ->expected(1);
   render
@@ -160,7 +173,7 @@ CLI::App* AddCompare(CLI::App& app, RawOptions& raw)
     ->type_name("FOLDER");
   compare
     ->add_option("--techniques,--technique", raw.techniques,
-      "those to compare, of " + KnownTechniques() + "; default: all but none")
+      "those to compare, of " + KnownTechniques() + "; default: all but auto and none")
     ->type_name("A,B,...")
     ->delimiter(',')
     ->allow_extra_args(false);
@@ -239,6 +252,16 @@ void CheckCount(const std::string& option, const std::optional<int>& count,
   }
 }
 
+void CheckBudget(const std::string& option, const std::optional<double>& value, double most)
+{
+  if (value && !(*value > 0.0 && *value <= most))
+  {
+    throw Failure(option, std::to_string(*value), "is no such budget",
+      most < std::numeric_limits<double>::max() ? "give more than 0 and at most 100"
+                                                : "give more than 0");
+  }
+}
+
 // The view, checked: some light must have what it shows.
 std::string InterpretDebugView(const RawOptions& raw, const Options& options)
 {
@@ -298,6 +321,8 @@ StageSettings InterpretStage(const RawOptions& raw)
     stage.filter = *raw.filter;
   }
   stage.depthBits = raw.depthBits.value_or(stage.depthBits);
+  stage.maximumError = raw.maximumError.value_or(0.0);
+  stage.maximumFrameTime = raw.maximumFrameTime.value_or(0.0);
   RequireDepthBits("--depth-bits", stage.depthBits, stage.filter);
   RequireObjectType("--object-type", raw.objectType);
   RequireObjectDepthBits("--object-depth-bits", raw.objectDepthBits);
@@ -339,7 +364,10 @@ std::vector<std::string> TechniquesToCompare(const RawOptions& raw, const StageS
   if (techniques.empty())
   {
     techniques = TechniqueNames();
-    techniques.erase(std::remove(techniques.begin(), techniques.end(), "none"), techniques.end());
+    for (const char* left : { "auto", "none" })
+    {
+      techniques.erase(std::remove(techniques.begin(), techniques.end(), left), techniques.end());
+    }
   }
   return techniques;
 }
@@ -368,6 +396,8 @@ Options Interpret(const RawOptions& raw, Job job)
   CheckCount("--cascades", raw.cascades, MostCascadesOfALight);
   CheckCount("--light-samples", raw.lightSamples, MostLightSamples);
   CheckCount("--object-taps", raw.objectTaps, MostObjectTaps);
+  CheckBudget("--max-error", raw.maximumError, 100.0);
+  CheckBudget("--max-frame-time", raw.maximumFrameTime, std::numeric_limits<double>::max());
 
   Options options;
   options.inputs = raw.inputs;
@@ -391,7 +421,7 @@ Options Interpret(const RawOptions& raw, Job job)
     options.techniques = InterpretTechniques(raw, "--technique");
     if (options.techniques.empty())
     {
-      options.techniques.push_back("depth-map");
+      options.techniques.push_back(raw.debug ? "depth-map" : "auto");
     }
     options.debugView = InterpretDebugView(raw, options);
   }

@@ -49,6 +49,7 @@ public:
     this->progress.Begin("rendering " + technique);
     this->stage.UseTechnique(technique);
     this->stage.Window().Render();
+    this->stage.SettleChoice();
     outputs.Add(folder / (technique + ".png"), PngOfBytes(this->stage.Picture()));
 
     std::vector<ReportRow> rows;
@@ -61,6 +62,7 @@ public:
       ReportRow row;
       row.technique = technique;
       row.light = static_cast<int>(light);
+      row.explanation = this->stage.ExplanationOf(light);
       if (this->withErrors)
       {
         MeasuredError measured = MeasureError(this->stage, light);
@@ -123,7 +125,8 @@ void RunCompare(const Options& options, Progress& progress)
 
   if (!options.quiet)
   {
-    std::cout << TableOf(report) << "written to " << options.output << std::endl;
+    std::cout << TableOf(report) << ChoicesOf(report) << "written to " << options.output
+              << std::endl;
   }
 }
 

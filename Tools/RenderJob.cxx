@@ -47,6 +47,7 @@ OutputFiles PrepareOutputs(const Options& options)
 
 Report Measure(Stage& stage, const Options& options, Progress& progress)
 {
+  stage.SettleChoice();
   Report report = BeginReport(stage);
   const bool withErrors = CanMeasureErrors(stage);
   if (!withErrors)
@@ -59,6 +60,7 @@ Report Measure(Stage& stage, const Options& options, Progress& progress)
     ReportRow row;
     row.technique = stage.TechniqueOf(light);
     row.light = static_cast<int>(light);
+    row.explanation = stage.ExplanationOf(light);
     if (withErrors)
     {
       row.error = MeasureError(stage, light).error;
@@ -88,6 +90,11 @@ void RunRender(const Options& options, Progress& progress)
   stage->ShowDebugView(options.debugView);
   stage->Window().Render();
   outputs.Add(options.output, PngOfBytes(stage->Picture()));
+  std::vector<std::string> explanations; // of the picture
+  for (std::size_t light = 0; light < stage->Lights().size(); ++light)
+  {
+    explanations.push_back(stage->ExplanationOf(light));
+  }
   stage->ShowDebugView("none"); // which would cost time in the figures
   for (std::size_t light = 0; options.visibility && light < stage->Lights().size(); ++light)
   {
@@ -105,6 +112,10 @@ void RunRender(const Options& options, Progress& progress)
   {
     std::cout << options.output << ": " << stage->NumberOfTriangles() << " triangles, "
               << stage->Lights().size() << " light(s)" << std::endl;
+    for (std::size_t light = 0; stage->IsChosen() && light < explanations.size(); ++light)
+    {
+      std::cout << "light " << light << ": " << explanations[light] << std::endl;
+    }
   }
 }
 

@@ -73,6 +73,7 @@ nlohmann::ordered_json ObjectOf(const ReportRow& row, const Report& report)
   nlohmann::ordered_json object;
   object["technique"] = row.technique;
   object["light"] = row.light;
+  object["explanation"] = row.explanation;
   object["filter"] = nullptr;
   object["depth_bits"] = nullptr;
   if (row.technique == "depth-map")
@@ -118,6 +119,19 @@ std::string TableOf(const Report& report)
   }
   return Aligned(lines) + std::to_string(report.triangles) + " triangles, VTK " +
     report.vtkVersion + ", " + report.openGLRenderer + "\n";
+}
+
+std::string ChoicesOf(const Report& report)
+{
+  std::string text;
+  for (const ReportRow& row : report.rows)
+  {
+    if (row.technique == "auto")
+    {
+      text += "auto, light " + std::to_string(row.light) + ": " + row.explanation + "\n";
+    }
+  }
+  return text;
 }
 
 std::string JsonOf(const Report& report)

@@ -29,6 +29,7 @@ struct ReportRow
 {
   std::string technique;
   int light = 0;                   // from 0, as masks are numbered
+  std::string explanation;         // why the light has this technique
   std::optional<LightError> error; // none without Embree
   FrameTimings timings;
 };
@@ -44,6 +45,9 @@ struct Report
 };
 
 std::string TableOf(const Report& report);
+
+// A line for each light that had its technique chosen; empty if there is none.
+std::string ChoicesOf(const Report& report);
 
 // An array of one object per technique and light; figures of the error are null where there is
 // none, and so are filter and format of what is no depth map.

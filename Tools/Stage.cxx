@@ -40,6 +40,9 @@ constexpr double Ambient = 0.28;
 // Over which share of a catcher, from its rim, its shadow rises to its whole strength.
 constexpr double CatcherFade = 0.25;
 
+// Frames after which a choice is taken as it is, though others might turn out faster.
+constexpr int MostFramesOfChoice = 60;
+
 void AddActor(vtkRenderer* renderer, vtkActor* actor, const double color[3])
 {
   vtkProperty* property = actor->GetProperty();
@@ -72,6 +75,8 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   objects->SetDepthBits(settings.objectDepthBits);
   objects->SetTaps(settings.objectTaps);
   this->shadows->GetShadowTexturePass()->SetTexturePerCaster(settings.texturePerCaster);
+  this->shadows->SetMaximumError(settings.maximumError);
+  this->shadows->SetMaximumFrameTime(settings.maximumFrameTime);
   this->AddMeshes(meshes);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
@@ -313,6 +318,36 @@ std::string Stage::TechniqueOf(std::size_t light)
 {
   const std::string own = this->shadows->GetLightTechnique(this->lights[light]);
   return own.empty() ? this->shadows->GetTechnique() : own;
+}
+
+bool Stage::IsChosen()
+{
+  for (std::size_t i = 0; i < this->lights.size(); ++i)
+  {
+    if (this->TechniqueOf(i) == "auto")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Stage::SettleChoice()
+{
+  for (int i = 0; this->IsChosen() && i < MostFramesOfChoice; ++i)
+  {
+    this->window.Render();
+    if (this->shadows->GetChoiceIsSettled())
+    {
+      this->window.Render(); // by what was chosen
+      return;
+    }
+  }
+}
+
+std::string Stage::ExplanationOf(std::size_t light)
+{
+  return this->shadows->GetExplanation(this->lights[light]);
 }
 
 void Stage::ShowDebugView(const std::string& view)

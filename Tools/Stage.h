@@ -43,6 +43,8 @@ struct StageSettings
   int objectDepthBits = 16;
   int objectTaps = 2;
   bool texturePerCaster = false; // of shadow textures
+  double maximumError = 0.0;                // of "auto", percent; 0: no gross error
+  double maximumFrameTime = 0.0;            // of "auto", milliseconds; 0: any
 };
 
 class Stage
@@ -77,6 +79,11 @@ public:
   // Every light by `technique`, but those whose LightSpec names one.
   void UseTechnique(const std::string& technique);
   std::string TechniqueOf(std::size_t light);
+  bool IsChosen(); // some light has "auto"
+  // Renders until what is chosen is settled, if anything is.
+  void SettleChoice();
+  // Why a light has what it had in the last frame.
+  std::string ExplanationOf(std::size_t light);
 
   // What explains the first light whose technique has that view, over the frame; "none": nothing.
   void ShowDebugView(const std::string& view);

@@ -27,8 +27,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Technique of every light: "depth-map" (default), "object-id", "planar", "shadow-texture",
-   * "stencil-volume", "ray-cast" or "none". An unknown name is an error and changes nothing.
+   * Technique of every light: "auto" (default), "depth-map", "object-id", "planar",
+   * "shadow-texture", "stencil-volume", "ray-cast" or "none". An unknown name is an error and
+   * changes nothing.
    */
   void SetTechnique(const char* name);
 

@@ -80,6 +80,7 @@ __all__ = [
     "disable",
     "enable",
     "error",
+    "explanation",
     "screenshot",
     "set_casts_shadows",
     "set_light_texture",
@@ -106,17 +107,17 @@ __all__ = [
 
 
 def techniques() -> List[str]:
-    """Names of the techniques there are in this build, "none" included.
+    """Names of the techniques there are in this build, "auto" and "none" included.
 
     >>> vtkshadows.techniques()
-    ['depth-map', 'object-id', 'planar', 'shadow-texture', 'stencil-volume', 'ray-cast', 'none']
+    ['depth-map', 'object-id', 'planar', 'shadow-texture', 'stencil-volume', 'ray-cast', 'auto', 'none']
     """
     return _names_from(vtkShadowPass.GetTechniqueNames)
 
 
 def enable(
     renderer: Any,
-    technique: str = "depth-map",
+    technique: str = "auto",
     delegate: Optional[vtkRenderPass] = None,
     **settings: Any,
 ) -> vtkShadowPass:
@@ -126,8 +127,12 @@ def enable(
 
     Parameters
     ----------
-    technique : one of techniques(), for every light. The pass that is returned takes one per light:
-        `shadows.SetLightTechnique(light, "ray-cast")`.
+    technique : one of techniques(), for every light. "auto" (default): chosen for each light, by what the
+        scene asks and the two budgets below; `explanation` says why. The pass that is returned takes one
+        per light: `shadows.SetLightTechnique(light, "ray-cast")`.
+    maximum_error : auto: percent of the receiver pixels that may be wrong, 0 to 100 (0: no gross error); of
+        a light with a radius the mean absolute difference in percent.
+    maximum_frame_time : auto: milliseconds that a frame may take, 0 or more (0: any).
     delegate : the pass that draws the frame. Left out: the pass that the renderer has, or VTK's own way
         of drawing if it has none. stencil-volume and ray-cast need one that draws at the renderer's own
         size: for supersampling, say, make the vtkShadowPass that pass's delegate instead.
@@ -273,6 +278,19 @@ def visibility(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarray:
     with _VtkErrors(shadows) as errors:
         errors.require(shadows.GetVisibility(renderer, light, image))
     return _image_to_numpy(image)
+
+
+def explanation(renderer: Any, light: Union[vtkLight, int] = 0) -> str:
+    """Why a light has its technique, in a sentence that names it first; of the last frame.
+
+    Raises ValueError if there is no such light, or shadows are not enabled here.
+
+    >>> vtkshadows.explanation(renderer)
+    'depth-map (1024 texels): 0.0071 % wrong and no gross error as measured in this view; 12.8 ms a frame, ...'
+    """
+    renderer = _find_renderer(renderer)
+    shadows = _require_shadow_pass(renderer)
+    return shadows.GetExplanation(_find_light(renderer, light))
 
 
 def volume_counts(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarray:
@@ -1019,6 +1037,14 @@ def _set_debug_view(shadows, renderer, value):
     shadows.SetDebugView(value)
 
 
+def _set_maximum_error(shadows, renderer, value):
+    shadows.SetMaximumError(value)
+
+
+def _set_maximum_frame_time(shadows, renderer, value):
+    shadows.SetMaximumFrameTime(value)
+
+
 def _set_strength(shadows, renderer, value):
     for light in renderer.GetLights():
         shadows.SetLightStrength(light, value)
@@ -1083,6 +1109,8 @@ _SETTINGS = {
     "near_plane": _Setting(lambda n, v: _number(n, v, 0), _set_near_plane),
     "soft_method": _Setting(lambda n, v: _one_of(n, v, _SOFT_METHODS), _set_soft_method),
     "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
+    "maximum_error": _Setting(lambda n, v: _number(n, v, 0, 100), _set_maximum_error),
+    "maximum_frame_time": _Setting(lambda n, v: _number(n, v, 0), _set_maximum_frame_time),
     "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
     "radius": _Setting(lambda n, v: _number(n, v, 0), _set_radius),
     "maximum_distance": _Setting(lambda n, v: _number(n, v, 0), _set_maximum_distance),

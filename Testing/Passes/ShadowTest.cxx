@@ -189,6 +189,8 @@ Pixel PixelOf(vtkRenderer* renderer, const glm::dvec3& pointWC)
 ShadowTest::ShadowTest()
   : Window(TheWindow())
 {
+  // What a technique does is tested by name; what is chosen, in TestAuto.cxx.
+  this->Shadows->SetTechnique("depth-map");
 }
 
 ShadowTest::~ShadowTest() = default;

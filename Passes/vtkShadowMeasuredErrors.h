@@ -1,0 +1,56 @@
+// What was measured of the error of lights by settings, in which view, and how far the present one
+// is from that.
+#ifndef vtkShadowMeasuredErrors_h
+#define vtkShadowMeasuredErrors_h
+
+#include "TechniqueChoice.h"
+#include "vtkShadowSceneData.h"
+
+#include <optional>
+#include <vector>
+
+class vtkShadowMeasuredErrors
+{
+public:
+  // What an error depends on.
+  struct Circumstances
+  {
+    const vtkLight* Source = nullptr;
+    vtkshadows::ShadowLight Light;
+    glm::dmat4 ViewFromWorld{ 1.0 };
+    glm::dmat4 ClipFromView{ 1.0 };
+    int Height = 0; // pixels
+    double Distance =
+      1.0;              // from the eye to the nearest receiver; not less than a share of their size
+    double Reach = 1.0; // size of what receives and casts
+    double CasterChanges = 0.0; // a count, those that belong to a motion as less
+  };
+
+  struct Record
+  {
+    vtkshadows::ErrorPercents Error;
+    double Cost = 0.0;    // seconds that measuring took
+    double Elapsed = 0.0; // since, seconds
+    double Drift = 0.0;   // of the circumstances since: 0 none, 1 another picture
+  };
+  std::optional<Record> Find(
+    const vtkshadows::ShadowSetting& setting, const Circumstances& now) const;
+  void Keep(const vtkshadows::ShadowSetting& setting, const Circumstances& now,
+    const vtkshadows::ErrorPercents& error, double cost);
+  // Forget lights that are not among these.
+  void KeepOnly(const std::vector<const vtkLight*>& lights);
+  void Forget() { this->Entries.clear(); }
+
+private:
+  struct Entry
+  {
+    vtkshadows::ShadowSetting Setting;
+    Circumstances Then;
+    vtkshadows::ErrorPercents Error;
+    double Cost = 0.0;
+    double Time = 0.0; // by the clock
+  };
+  std::vector<Entry> Entries;
+};
+
+#endif

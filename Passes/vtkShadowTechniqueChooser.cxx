@@ -1,0 +1,723 @@
+#include "vtkShadowTechniqueChooser.h"
+
+#include "vtkDepthShadowMapPass.h"
+
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderer.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using vtkshadows::FrameWay;
+using vtkshadows::ShadowSetting;
+using vtkshadows::Standing;
+
+const char* const Maps = "depth-map";
+const char* const ByVolumes = "stencil-volume";
+// By what they are expected to cost.
+const char* const ExactTechniques[] = { "planar", ByVolumes, "ray-cast" };
+
+// As vtkDepthShadowMapPass has them by itself; other values are the user's.
+constexpr int UsualResolution = 2048;
+constexpr int UsualCascades = 1;
+constexpr int UsualFilter = vtkDepthShadowMapPass::PERCENTAGE_CLOSER;
+constexpr int ChosenCascades = 4;
+constexpr double ReachOfCascades = 0.3;
+
+// Above this many triangles no tree is built only to measure, unless a budget of error asks for it.
+constexpr double MostTrianglesMeasured = 5.0e6;
+
+// Drift (vtkShadowMeasuredErrors) from which on a picture is another one, and up to which it is the
+// same; and how many times as long as a measure took is waited for the next between the two.
+constexpr double OtherPicture = 0.3;
+constexpr double SamePicture = 0.02;
+constexpr double MeasuringShare = 20.0;
+// Times what was measured that an error may be at once, for what is chosen already and for what is
+// not; and what drift adds.
+constexpr double MarginOfChosen = 1.05;
+constexpr double MarginOfOthers = 1.25;
+constexpr double MarginOfDrift = 2.0;
+
+// What an error counts as at least that was measured, percent: less is not told from none.
+constexpr double LeastMeasured = 1.0e-4;
+
+// Frames in a row that move, or that do not, before the choice is that of the other.
+constexpr int FramesOfMotion = 2;
+// What a change of casters counts as drift, by itself and in a motion.
+constexpr double DriftOfChange = 0.35;
+constexpr double DriftOfMotion = 0.02;
+
+// Times the triangles, pixels or lights that times of frames hold for.
+constexpr double OtherScene = 1.5;
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+ShadowSetting Exactly(const char* technique)
+{
+  ShadowSetting setting;
+  setting.technique = technique;
+  return setting;
+}
+
+ShadowSetting MapOf(int resolution, int cascades, int filter)
+{
+  ShadowSetting setting;
+  setting.technique = Maps;
+  setting.resolution = resolution;
+  setting.cascades = cascades;
+  setting.filter = vtkDepthShadowMapPass::GetFilterName(filter);
+  return setting;
+}
+
+int FilterNamed(const std::string& name)
+{
+  int filter = 0;
+  while (filter < vtkDepthShadowMapPass::GetNumberOfFilters() &&
+    vtkDepthShadowMapPass::GetFilterName(filter) != name)
+  {
+    ++filter;
+  }
+  return filter;
+}
+
+bool IsSameLight(const vtkshadows::ShadowLight& a, const vtkshadows::ShadowLight& b)
+{
+  return a.kind == b.kind && a.position == b.position && a.direction == b.direction &&
+    a.coneAngle == b.coneAngle && a.radius == b.radius;
+}
+
+double DistanceTo(const vtkshadows::Box& box, const glm::dvec3& p)
+{
+  return glm::length(glm::max(glm::max(box.minimum - p, p - box.maximum), glm::dvec3(0.0)));
+}
+
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowTechniqueChooser::Verdict::Figure() const
+{
+  // One without an error that was found is not yet exact.
+  return this->Standing.kind == Standing::Exact ? 0.0
+    : this->Error                               ? this->Error->Figure(this->Soft) + LeastMeasured
+                                                : 100.0;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTechniqueChooser::MapSettings vtkShadowTechniqueChooser::SettingsOf(
+  vtkDepthShadowMapPass* maps)
+{
+  return { maps->GetResolution(), maps->GetNumberOfCascades(), maps->GetFilter() };
+}
+
+void vtkShadowTechniqueChooser::Apply(vtkDepthShadowMapPass* maps, const MapSettings& settings)
+{
+  maps->SetResolution(settings.Resolution);
+  maps->SetNumberOfCascades(settings.Cascades);
+  maps->SetFilter(settings.Filter);
+}
+
+void vtkShadowTechniqueChooser::Apply(vtkDepthShadowMapPass* maps, const Setting& setting)
+{
+  this->Applied = { setting.resolution, setting.cascades, FilterNamed(setting.filter) };
+  this->HasApplied = true;
+  Apply(maps, this->Applied);
+}
+
+//------------------------------------------------------------------------------
+// What is not as the choice left it was set by the user since.
+void vtkShadowTechniqueChooser::NoteUsersSettings(vtkDepthShadowMapPass* maps)
+{
+  const MapSettings now = SettingsOf(maps);
+  if (!this->HasApplied)
+  {
+    this->Own = now;
+    return;
+  }
+  const auto note = [](int value, int& applied, int& own)
+  {
+    if (value != applied)
+    {
+      own = value;
+      applied = value;
+    }
+  };
+  note(now.Resolution, this->Applied.Resolution, this->Own.Resolution);
+  note(now.Cascades, this->Applied.Cascades, this->Own.Cascades);
+  note(now.Filter, this->Applied.Filter, this->Own.Filter);
+}
+
+void vtkShadowTechniqueChooser::Rest(vtkDepthShadowMapPass* maps)
+{
+  if (this->HasApplied && maps)
+  {
+    this->NoteUsersSettings(maps);
+    Apply(maps, this->Own);
+  }
+  this->HasApplied = false;
+  this->IsChosen = false;
+  this->Chosen.clear();
+  this->Unseen.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniqueChooser::NoteMotion(const Request& request)
+{
+  std::vector<vtkshadows::ShadowLight> lights;
+  for (const vtkShadowScene::Light& light : request.Frame->Scene->GetLights())
+  {
+    if (!light.AtEye)
+    {
+      lights.push_back(light.Ray);
+    }
+  }
+  const vtkMTimeType stamp = request.Frame->Scene->GetCasterStamp();
+  const bool castersChanged = this->CasterStamp != 0 && stamp != this->CasterStamp;
+  const bool lightsMoved = lights.size() == this->LightsBefore.size() &&
+    !std::equal(lights.begin(), lights.end(), this->LightsBefore.begin(), IsSameLight);
+  this->CasterStamp = stamp;
+  this->LightsBefore = lights;
+  if (castersChanged)
+  {
+    this->CasterChanges += this->IsMoving ? DriftOfMotion : DriftOfChange;
+  }
+  if (!request.IsDrawn)
+  {
+    return;
+  }
+  this->WasJustMoved = castersChanged || lightsMoved;
+  this->FramesOfOtherMotion =
+    this->WasJustMoved != this->IsMoving ? this->FramesOfOtherMotion + 1 : 0;
+  if (this->FramesOfOtherMotion >= FramesOfMotion)
+  {
+    this->IsMoving = !this->IsMoving;
+    this->FramesOfOtherMotion = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::LightsOf(
+  const Request& request, const std::vector<bool>& reach) const
+{
+  const vtkShadowFrame& frame = *request.Frame;
+  vtkShadowMeasuredErrors::Circumstances now;
+  now.ViewFromWorld = frame.ViewFromWorld;
+  now.ClipFromView = frame.ClipFromView;
+  now.Height = frame.Size[1];
+  now.CasterChanges = this->CasterChanges;
+  const glm::dvec3 eye(glm::inverse(frame.ViewFromWorld)[3]);
+  vtkshadows::Box all;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const vtkshadows::BoxCorners& corners : vtkShadowReceiverCorners(*frame.Scene))
+  {
+    vtkshadows::Box box;
+    box.Add(corners);
+    all.Add(corners);
+    nearest = std::min(nearest, DistanceTo(box, eye));
+  }
+  const double size = all.isEmpty ? 1.0 : all.Diagonal();
+  now.Reach = size > 0.0 && std::isfinite(size) ? size : 1.0;
+  // Amid what receives, a step is large that is so beside all of it.
+  now.Distance = std::max(nearest, 0.02 * now.Reach);
+
+  std::vector<ChosenLight> lights;
+  for (std::size_t i = 0; i < request.Lights.size(); ++i)
+  {
+    if (reach[i])
+    {
+      const vtkShadowScene::Light& light = frame.Scene->GetLights()[request.Lights[i]];
+      ChosenLight chosen;
+      chosen.Index = request.Lights[i];
+      chosen.Source = light.Source;
+      chosen.Needs.isSoft = light.Ray.radius > 0.0;
+      chosen.Needs.isDirectional = light.Ray.kind == vtkshadows::LightKind::Directional;
+      chosen.Now = now;
+      chosen.Now.Source = light.Source;
+      chosen.Now.Light = light.Ray;
+      lights.push_back(chosen);
+    }
+  }
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+// The cheapest first. What the user has set, or what another light relies on, is not varied.
+std::vector<ShadowSetting> vtkShadowTechniqueChooser::MapSettingsToTry(
+  const Request& request, bool anySoft, bool anyHard, bool anyCascaded) const
+{
+  using Pass = vtkDepthShadowMapPass;
+  std::vector<MapSettings> varied;
+  if (anyHard)
+  {
+    varied = { { 1024, 1, UsualFilter }, { 2048, 1, UsualFilter } };
+    if (anyCascaded)
+    {
+      varied.push_back({ 1024, ChosenCascades, UsualFilter });
+    }
+    varied.push_back({ 4096, 1, UsualFilter });
+    varied.push_back({ 2048, 1, Pass::EXACT });
+    if (anyCascaded)
+    {
+      varied.push_back({ 2048, ChosenCascades, Pass::EXACT });
+    }
+  }
+  if (anySoft)
+  {
+    varied.push_back({ 1024, 1, Pass::SOFT });
+    varied.push_back({ 2048, 1, Pass::SOFT });
+    varied.push_back({ 2048, 1, Pass::SAMPLE_LIGHTS });
+  }
+  std::vector<ShadowSetting> settings;
+  for (MapSettings one : varied)
+  {
+    const bool fixed = request.MapsAreNamed;
+    one.Resolution =
+      fixed || this->Own.Resolution != UsualResolution ? this->Own.Resolution : one.Resolution;
+    one.Cascades = fixed || this->Own.Cascades != UsualCascades ? this->Own.Cascades : one.Cascades;
+    one.Filter = fixed || this->Own.Filter != UsualFilter ? this->Own.Filter : one.Filter;
+    // Filters differ in the depths that they have.
+    if (!Pass::HasDepthBits(Pass::GetFilterName(one.Filter), request.Maps->GetDepthBits()))
+    {
+      continue;
+    }
+    const ShadowSetting setting = MapOf(one.Resolution, one.Cascades, one.Filter);
+    if (std::find(settings.begin(), settings.end(), setting) == settings.end())
+    {
+      settings.push_back(setting);
+    }
+  }
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowTechniqueChooser::MarginOf(const Setting& setting, double drift) const
+{
+  const FrameWay* way = this->Trials().GetWays().empty() ? nullptr : &this->Trials().Way();
+  const bool isChosen =
+    way && std::find(way->settings.begin(), way->settings.end(), setting) != way->settings.end();
+  return (isChosen ? MarginOfChosen : MarginOfOthers) + MarginOfDrift * drift;
+}
+
+bool vtkShadowTechniqueChooser::NeedsMeasure(const Setting& setting, const ChosenLight& light) const
+{
+  const auto record = this->Errors.Find(setting, light.Now);
+  if (!record)
+  {
+    return true;
+  }
+  const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
+  const bool soft = light.Needs.isSoft;
+  if (!vtkshadows::IsWithin(this->Budget, record->Error, soft, this->MarginOf(setting, 0.0)))
+  {
+    return record->Drift > OtherPicture && !mayWait;
+  }
+  const bool isClose = !vtkshadows::IsWithin(
+    this->Budget, record->Error, soft, this->MarginOf(setting, record->Drift));
+  if (this->IsMoving)
+  {
+    return (isClose || record->Drift > SamePicture) && !mayWait;
+  }
+  return isClose || record->Drift > OtherPicture || (record->Drift > SamePicture && !mayWait);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniqueChooser::MeasureFor(
+  const Request& request, const Setting& setting, const std::vector<ChosenLight>& lights)
+{
+  std::vector<int> indices;
+  for (const ChosenLight& light : lights)
+  {
+    if (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
+      this->NeedsMeasure(setting, light))
+    {
+      indices.push_back(light.Index);
+    }
+  }
+  if (indices.empty() || !request.MeasureErrors)
+  {
+    return;
+  }
+  this->Apply(request.Maps, setting);
+  const double start = Now();
+  std::vector<std::optional<vtkshadows::ErrorPercents>> errors;
+  if (request.MeasureErrors(indices, errors))
+  {
+    const double cost = Now() - start;
+    for (const ChosenLight& light : lights)
+    {
+      const auto found = std::find(indices.begin(), indices.end(), light.Index);
+      if (found != indices.end())
+      {
+        const auto& error = errors[found - indices.begin()];
+        this->Errors.Keep(
+          setting, light.Now, error ? *error : vtkshadows::ErrorPercents::OfNothing(), cost);
+      }
+    }
+  }
+  this->MeasuringSeconds += Now() - start;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
+  const Request& request, const Setting& setting, const ChosenLight& light)
+{
+  Verdict verdict;
+  verdict.Soft = light.Needs.isSoft;
+  verdict.Standing = vtkshadows::StandingOf(setting, this->Scene, light.Needs);
+  const bool isTooLarge =
+    this->Scene.triangles > MostTrianglesMeasured && !this->Budget.maximumError;
+  if (verdict.Standing.kind == Standing::Measured)
+  {
+    if (const auto record = this->Errors.Find(setting, light.Now))
+    {
+      verdict.Error = record->Error;
+      const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture) : record->Drift;
+      verdict.IsRight = vtkshadows::IsWithin(
+        this->Budget, record->Error, verdict.Soft, this->MarginOf(setting, drift));
+    }
+    else
+    {
+      verdict.Standing = { Standing::Assumed,
+        isTooLarge ? "the casters are too many triangles to trace for it"
+                   : "the driver gave no buffer to measure in" };
+    }
+  }
+  if (verdict.Standing.kind == Standing::Exact)
+  {
+    verdict.IsRight = true;
+  }
+  else if (verdict.Standing.kind == Standing::Assumed && setting.IsMap())
+  {
+    // Where nothing better is known it is what serves, no coarser than it is by itself.
+    const bool anyExact = std::any_of(std::begin(ExactTechniques), std::end(ExactTechniques),
+      [&](const char* name)
+      {
+        return vtkshadows::StandingOf(Exactly(name), this->Scene, light.Needs).kind ==
+          Standing::Exact;
+      });
+    const bool isFine = setting.resolution >= UsualResolution ||
+      setting.resolution == this->Own.Resolution || request.MapsAreNamed;
+    verdict.IsRight = isFine && (!anyExact || isTooLarge);
+  }
+  return verdict;
+}
+
+//------------------------------------------------------------------------------
+// In frames without shadows, before anything is timed.
+double vtkShadowTechniqueChooser::CostOf(const Setting& setting, const ChosenLight& light) const
+{
+  const double millions = 1.0e-6 * this->Scene.triangles;
+  const double shadows = light.Needs.isSoft ? 16.0 : 1.0;
+  if (setting.IsMap())
+  {
+    const double side = setting.resolution / 2048.0;
+    return (setting.filter == "exact"              ? 0.5
+               : setting.filter == "soft"          ? 1.5
+               : setting.filter == "sample-lights" ? 4.0
+                                                   : 0.25) +
+      (this->IsMoving ? 0.3 * side * side * setting.cascades : 0.02 * side) +
+      0.1 * (setting.cascades - 1);
+  }
+  return setting.technique == "planar" ? 0.5 * shadows
+    : setting.technique == ByVolumes   ? shadows * (1.0 + 2.0 * millions)
+                                       : shadows * 1.6 + 2.0 * millions;
+}
+
+//------------------------------------------------------------------------------
+// Each by one setting for as many lights as it is right for, the others by what else is right.
+std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
+{
+  const std::vector<ChosenLight>& lights = this->Chosen;
+  std::vector<Setting> candidates;
+  for (const char* name : ExactTechniques)
+  {
+    candidates.push_back(Exactly(name));
+  }
+  const auto any = [&](const auto& says)
+  { return std::any_of(lights.begin(), lights.end(), says); };
+  // Cascades are for what reaches much farther from the eye than its nearest part lies.
+  const bool mayCascade = !request.Frame->Renderer->GetActiveCamera()->GetParallelProjection();
+  const bool anyCascaded = mayCascade &&
+    any([](const ChosenLight& l)
+      { return l.Needs.isDirectional && l.Now.Distance < ReachOfCascades * l.Now.Reach; });
+  const std::vector<Setting> maps =
+    this->MapSettingsToTry(request, any([](const ChosenLight& l) { return l.Needs.isSoft; }),
+      any([](const ChosenLight& l) { return !l.Needs.isSoft; }), anyCascaded);
+
+  this->Verdicts.clear();
+  const auto judge = [&](const Setting& setting)
+  {
+    std::vector<Verdict>& verdicts = this->Verdicts[setting.Text()];
+    verdicts.clear();
+    for (const ChosenLight& light : lights)
+    {
+      verdicts.push_back(this->Judge(request, setting, light));
+    }
+    return verdicts;
+  };
+  std::for_each(candidates.begin(), candidates.end(), judge);
+
+  // Maps, from the coarsest on until they serve every light that they can.
+  const bool isTooLarge =
+    this->Scene.triangles > MostTrianglesMeasured && !this->Budget.maximumError;
+  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  std::vector<bool> served(lights.size(), false);
+  for (const Setting& setting : maps)
+  {
+    if (!isTooLarge)
+    {
+      this->MeasureFor(request, setting, lights);
+    }
+    const std::vector<Verdict> verdicts = judge(setting);
+    candidates.push_back(setting);
+    bool all = true;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      served[i] = served[i] || verdicts[i].IsRight;
+      all = all && served[i];
+    }
+    // Which of the finest two is the cheaper one is told by time.
+    const bool isFinest = setting.resolution >= 4096;
+    if (all && !byAccuracy && !isFinest)
+    {
+      break;
+    }
+  }
+
+  // What a light has where the way's own setting is not right for it.
+  const auto verdictOf = [&](const Setting& setting, std::size_t light) -> const Verdict&
+  { return this->Verdicts[setting.Text()][light]; };
+  const auto elseOf = [&](std::size_t i, const Setting& way)
+  {
+    const Setting* best = nullptr;
+    const auto rank = [&](const Setting& setting)
+    {
+      const Verdict& verdict = verdictOf(setting, i);
+      return std::make_pair(
+        verdict.IsRight ? 0.0 : verdict.Figure(), this->CostOf(setting, lights[i]));
+    };
+    for (const Setting& setting : candidates)
+    {
+      // The settings of maps are those of all lights.
+      const bool isOther = setting.IsMap() && way.IsMap() && !(setting == way);
+      if (!isOther && verdictOf(setting, i).Standing.kind != Standing::Unfit &&
+        (!best || rank(setting) < rank(*best)))
+      {
+        best = &setting;
+      }
+    }
+    return best ? *best : maps.empty() ? Exactly("") : way.IsMap() ? way : maps.front();
+  };
+
+  std::vector<FrameWay> ways;
+  for (const Setting& setting : candidates)
+  {
+    FrameWay way;
+    way.cost = 1.0;
+    bool isUsed = false;
+    // Among what else serves, all maps of a way are of one setting.
+    Setting shared = setting;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      const bool isRight = verdictOf(setting, i).IsRight;
+      const Setting own = isRight ? setting : elseOf(i, shared);
+      shared = own.IsMap() ? own : shared;
+      const Verdict& verdict = own.technique.empty() ? verdictOf(setting, i) : verdictOf(own, i);
+      isUsed = isUsed || own == setting;
+      way.settings.push_back(own);
+      way.cost += this->CostOf(own, lights[i]);
+      way.error = std::max(way.error, verdict.Figure());
+      way.isRight = way.isRight && verdict.IsRight;
+    }
+    const bool isKnown = std::any_of(ways.begin(), ways.end(),
+      [&](const FrameWay& other) { return other.settings == way.settings; });
+    if (isUsed && !isKnown)
+    {
+      ways.push_back(way);
+    }
+  }
+  // Where nothing is right for a light, the ways nearest to it are what there is.
+  if (!ways.empty() &&
+    std::none_of(ways.begin(), ways.end(), [](const FrameWay& way) { return way.isRight; }))
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const FrameWay& way : ways)
+    {
+      least = std::min(least, way.error);
+    }
+    for (FrameWay& way : ways)
+    {
+      way.isRight = way.error <= least;
+    }
+  }
+  ways.erase(
+    std::remove_if(ways.begin(), ways.end(), [](const FrameWay& way) { return !way.isRight; }),
+    ways.end());
+  std::stable_sort(
+    ways.begin(), ways.end(), [](const FrameWay& a, const FrameWay& b) { return a.cost < b.cost; });
+  return ways;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& request)
+{
+  this->MeasuringSeconds = 0.0;
+  this->NoteMotion(request);
+  this->NoteUsersSettings(request.Maps);
+  this->Scene = this->Needs.Of(*request.Frame, request.HasRays, request.Planes);
+  const std::vector<bool> reach = this->Needs.Reach(*request.Frame, request.Lights);
+  this->Chosen = this->LightsOf(request, reach);
+  this->Unseen.clear();
+  std::vector<const vtkLight*> sources;
+  for (std::size_t i = 0; i < request.Lights.size(); ++i)
+  {
+    const vtkLight* source = request.Frame->Scene->GetLights()[request.Lights[i]].Source;
+    sources.push_back(source);
+    if (!reach[i])
+    {
+      this->Unseen.push_back(source);
+    }
+  }
+  this->Errors.KeepOnly(sources);
+  this->IsChosen = !this->Chosen.empty();
+  std::vector<std::string> techniques(request.Lights.size());
+  if (!this->IsChosen)
+  {
+    return techniques;
+  }
+
+  const double counts[3] = { this->Scene.triangles, this->Scene.pixels,
+    static_cast<double>(this->Chosen.size()) };
+  const auto isOther = [](double now, double before)
+  { return now > OtherScene * before || before > OtherScene * now; };
+  if (isOther(counts[0], this->TimedFor[0]) || isOther(counts[1], this->TimedFor[1]) ||
+    counts[2] != this->TimedFor[2])
+  {
+    this->Static.Restart();
+    this->Moving.Restart();
+    std::copy_n(counts, 3, this->TimedFor);
+  }
+  const std::vector<FrameWay> ways = this->WaysFor(request);
+  if (ways.empty())
+  {
+    this->IsChosen = false;
+    return techniques;
+  }
+  this->Trials().SetWays(ways, this->Budget);
+
+  // A read-back is of the last frame's way, as long as that is right.
+  const std::vector<FrameWay>& there = this->Trials().GetWays();
+  const auto last = std::find_if(there.begin(), there.end(),
+    [&](const FrameWay& way) { return way.settings == this->LastSettings; });
+  this->Drawn = !request.IsDrawn && last != there.end()
+    ? static_cast<std::size_t>(last - there.begin())
+    : this->Trials().Current();
+  const std::vector<Setting>& settings = there[this->Drawn].settings;
+  this->LastSettings = settings;
+  const Setting* map = nullptr;
+  for (std::size_t i = 0, k = 0; i < request.Lights.size(); ++i)
+  {
+    if (reach[i])
+    {
+      const Setting& setting = settings[k++];
+      techniques[i] = setting.technique;
+      map = setting.IsMap() ? &setting : map;
+    }
+  }
+  if (map)
+  {
+    this->Apply(request.Maps, *map);
+  }
+  return techniques;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTechniqueChooser::FrameDrawn(std::optional<double> seconds)
+{
+  if (this->IsChosen && this->WasJustMoved == this->IsMoving)
+  {
+    // A measure disturbs what is timed after it, too: caches, and the driver's queue.
+    this->Trials().FrameDrawn(this->MeasuringSeconds > 0.0 ? std::nullopt : seconds);
+  }
+}
+
+bool vtkShadowTechniqueChooser::MayUse(const std::string& technique) const
+{
+  const auto uses = [&](const vtkshadows::FrameTrials& trials)
+  {
+    const std::vector<FrameWay>& ways = trials.GetWays();
+    return !ways.empty() && trials.IsSettled() &&
+      std::any_of(trials.Way().settings.begin(), trials.Way().settings.end(),
+        [&](const Setting& setting) { return setting.technique == technique; });
+  };
+  return uses(this->Static) || uses(this->Moving);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowTechniqueChooser::Explain(const vtkLight* light) const
+{
+  if (std::find(this->Unseen.begin(), this->Unseen.end(), light) != this->Unseen.end())
+  {
+    return "none: no shadow of this light can fall on anything in view.";
+  }
+  const auto found = std::find_if(this->Chosen.begin(), this->Chosen.end(),
+    [&](const ChosenLight& one) { return one.Source == light; });
+  if (!this->IsChosen || found == this->Chosen.end())
+  {
+    return {};
+  }
+  const std::size_t index = found - this->Chosen.begin();
+  const vtkshadows::FrameTrials& trials = this->Trials();
+  vtkshadows::Reasons reasons;
+  reasons.setting = trials.GetWays()[this->Drawn].settings[index];
+  reasons.isSoft = found->Needs.isSoft;
+  reasons.seconds = trials.SecondsOf(this->Drawn);
+  const auto own = this->Verdicts.find(reasons.setting.Text());
+  if (own != this->Verdicts.end())
+  {
+    const Verdict& verdict = own->second[index];
+    reasons.standing = verdict.Standing;
+    reasons.error = verdict.Error;
+    reasons.isRight = verdict.IsRight;
+  }
+  std::vector<std::string> told = { reasons.setting.Text() };
+  for (std::size_t i = 0; i < trials.GetWays().size(); ++i)
+  {
+    const Setting& other = trials.GetWays()[i].settings[index];
+    const std::optional<double> seconds = trials.SecondsOf(i);
+    if (i != this->Drawn && seconds &&
+      std::find(told.begin(), told.end(), other.Text()) == told.end())
+    {
+      told.push_back(other.Text());
+      reasons.others.push_back(other.Text() + " takes " + vtkshadows::SecondsText(*seconds));
+    }
+  }
+  for (const auto& known : this->Verdicts)
+  {
+    const Verdict& verdict = known.second[index];
+    if (std::find(told.begin(), told.end(), known.first) != told.end() || verdict.IsRight)
+    {
+      continue;
+    }
+    if (verdict.Error)
+    {
+      reasons.refused.push_back(
+        known.first + ": " + vtkshadows::ErrorText(*verdict.Error, this->Budget, reasons.isSoft));
+    }
+    else if (verdict.Standing.kind == Standing::Unfit && known.first.find(Maps) != 0)
+    {
+      reasons.refused.push_back(known.first + ": " + verdict.Standing.why);
+    }
+  }
+  return vtkshadows::Explain(reasons, this->Budget);
+}

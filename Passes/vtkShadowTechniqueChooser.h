@@ -1,0 +1,143 @@
+// Chooses techniques for the lights of the technique "auto": gathers what the scene asks, has
+// errors measured where they are not known, and times the ways that meet the budget
+// (TechniqueChoice.h).
+#ifndef vtkShadowTechniqueChooser_h
+#define vtkShadowTechniqueChooser_h
+
+#include "TechniqueChoice.h"
+#include "vtkShadowMeasuredErrors.h"
+#include "vtkShadowSceneNeeds.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDepthShadowMapPass;
+
+class vtkShadowTechniqueChooser
+{
+public:
+  // Measures a setting, which is applied already, for `lights` (indices into the scene's); one
+  // error a light, none where the light shines on nothing that could be measured. false if it
+  // cannot.
+  using Measure = std::function<bool(
+    const std::vector<int>& lights, std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)>;
+
+  struct Request
+  {
+    const vtkShadowFrame* Frame = nullptr;
+    std::vector<int> Lights;               // that are to be given a technique
+    vtkDepthShadowMapPass* Maps = nullptr; // whose settings may be chosen
+    bool MapsAreNamed = false;             // another light names that technique: they may not
+    bool HasRays = false;
+    int Planes = 0;      // that may receive, at most
+    bool IsDrawn = true; // for a frame, and not for a read-back
+    Measure MeasureErrors;
+  };
+  // The technique of each of the lights, empty for one of which no shadow can be seen; the settings
+  // that were chosen are applied.
+  std::vector<std::string> Choose(const Request& request);
+
+  // No light is to be given a technique: put settings back as they were found.
+  void Rest(vtkDepthShadowMapPass* maps);
+
+  void SetBudget(const vtkshadows::ShadowBudget& budget) { this->Budget = budget; }
+  const vtkshadows::ShadowBudget& GetBudget() const { return this->Budget; }
+
+  // Around the drawing of a frame. BeginFrame says whether it is to be timed; `seconds` without
+  // what measuring took.
+  bool WantsTime() const { return this->IsChosen && this->Trials().WantsTime(); }
+  void FrameDrawn(std::optional<double> seconds);
+  double SecondsMeasuring() const { return this->MeasuringSeconds; } // in the last Choose
+  // Whether a choice that is made already, for lights that stand or that move, has a technique.
+  bool MayUse(const std::string& technique) const;
+  bool IsSettled() const { return !this->IsChosen || this->Trials().IsSettled(); }
+
+  // Why the light has what it has; empty if it was given none.
+  std::string Explain(const vtkLight* light) const;
+
+private:
+  using Setting = vtkshadows::ShadowSetting;
+
+  // The settings of depth maps that are varied.
+  struct MapSettings
+  {
+    int Resolution = 0;
+    int Cascades = 0;
+    int Filter = 0;
+    bool operator==(const MapSettings& o) const
+    {
+      return this->Resolution == o.Resolution && this->Cascades == o.Cascades &&
+        this->Filter == o.Filter;
+    }
+  };
+  struct ChosenLight
+  {
+    int Index = 0;
+    const vtkLight* Source = nullptr;
+    vtkshadows::LightNeeds Needs;
+    vtkShadowMeasuredErrors::Circumstances Now;
+  };
+  // What a setting is for a light.
+  struct Verdict
+  {
+    vtkshadows::Standing Standing;
+    std::optional<vtkshadows::ErrorPercents> Error;
+    bool IsRight = false;
+    double Figure() const;
+    bool Soft = false;
+  };
+
+  static MapSettings SettingsOf(vtkDepthShadowMapPass* maps);
+  static void Apply(vtkDepthShadowMapPass* maps, const MapSettings& settings);
+  void Apply(vtkDepthShadowMapPass* maps, const Setting& setting);
+  void NoteUsersSettings(vtkDepthShadowMapPass* maps);
+
+  void NoteMotion(const Request& request);
+  std::vector<ChosenLight> LightsOf(const Request& request, const std::vector<bool>& reach) const;
+  std::vector<Setting> MapSettingsToTry(
+    const Request& request, bool anySoft, bool anyHard, bool anyCascaded) const;
+  Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light);
+  void MeasureFor(
+    const Request& request, const Setting& setting, const std::vector<ChosenLight>& lights);
+  bool NeedsMeasure(const Setting& setting, const ChosenLight& light) const;
+  double MarginOf(const Setting& setting, double drift) const;
+  std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
+  double CostOf(const Setting& setting, const ChosenLight& light) const;
+  vtkshadows::FrameTrials& Trials() { return this->IsMoving ? this->Moving : this->Static; }
+  const vtkshadows::FrameTrials& Trials() const
+  {
+    return this->IsMoving ? this->Moving : this->Static;
+  }
+
+  vtkshadows::ShadowBudget Budget;
+  vtkShadowSceneNeeds Needs;
+  vtkShadowMeasuredErrors Errors;
+  vtkshadows::FrameTrials Static, Moving;
+
+  vtkshadows::SceneNeeds Scene;
+  std::vector<ChosenLight> Chosen;     // of the last Choose, those that reach something
+  std::vector<const vtkLight*> Unseen; // and those that do not
+  std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
+  std::vector<Setting> Fallbacks;                       // tried beside maps
+  bool IsChosen = false;
+  std::size_t Drawn = 0; // among the ways: the last Choose's
+  std::vector<Setting> LastSettings;
+  double MeasuringSeconds = 0.0;
+  double TimedFor[3] = { 0.0, 0.0, 0.0 }; // triangles, pixels and lights that times are of
+
+  bool IsMoving = false;
+  int FramesOfOtherMotion = 0;
+  bool WasJustMoved = false;
+  vtkMTimeType CasterStamp = 0;
+  double CasterChanges = 0.0;
+  std::vector<vtkshadows::ShadowLight> LightsBefore;
+
+  bool HasApplied = false;
+  MapSettings Own;     // the user's
+  MapSettings Applied; // the choice's
+};
+
+#endif
