@@ -43,8 +43,8 @@ struct StageSettings
   int objectDepthBits = 16;
   int objectTaps = 2;
   bool texturePerCaster = false; // of shadow textures
-  double maximumError = 0.0;                // of "auto", percent; 0: no gross error
-  double maximumFrameTime = 0.0;            // of "auto", milliseconds; 0: any
+  double maximumError = 0.0;     // of "auto", percent; 0: no gross error
+  double maximumFrameTime = 0.0; // of "auto", milliseconds; 0: any
 };
 
 class Stage
