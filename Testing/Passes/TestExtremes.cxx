@@ -23,8 +23,8 @@ struct Limits
 };
 
 // Techniques for planes and textures alone leave self-shadows out, and have no limits here.
-const std::map<std::string, Limits> LimitsOf = { { "depth-map", { 0.25, 2 } },
-  { "depth-map exact", { 0.05, 0 } }, { "object-id", { 0.25, 2 } },
+const std::map<std::string, Limits> LimitsOf = { { "depth-map", { 0.5, 2 } },
+  { "depth-map exact", { 0.05, 0 } }, { "object-id", { 0.5, 2 } },
   { "stencil-volume", { 0.02, 0 } }, { "ray-cast", { 0.0, 0 } } };
 
 // What "shadow-texture" says of scenes in which it darkens nothing.
@@ -92,10 +92,13 @@ private:
     // A sheared box around a caster is wider, so that maps fitted to it have other texels.
     if (extreme.looksPlain && extreme.kind != "matrix")
     {
-      CheckAtLeast(what + ": alike %", outcome.agreement, 99.99);
+      // Rays start off a face by what all positions in the scene are rounded by, which a wide floor
+      // makes more: pixels of grazing light differ.
+      const double ofRays = extreme.kind == "floor wider by" ? 99.9 : 99.99;
+      CheckAtLeast(what + ": alike %", outcome.agreement, technique == "ray-cast" ? ofRays : 99.99);
       if (outcome.truthAgreement >= 0.0)
       {
-        CheckAtLeast(what + ": truth alike %", outcome.truthAgreement, 99.9);
+        CheckAtLeast(what + ": truth alike %", outcome.truthAgreement, ofRays);
       }
     }
     const auto limits = LimitsOf.find(technique);
