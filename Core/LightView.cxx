@@ -58,15 +58,17 @@ struct Depths
   }
 };
 
-// The projection with these tangents as its sides, a little deeper than `depths`: by a share of
-// what lies there, not of how far away it is, since a far light would see it in a few depths.
+// The projection with these tangents as its sides, a little deeper than `depths`: by a share of the
+// distance or, from a far light, of what lies there, which else would have few depths.
 glm::dmat4 Frustum(const Rectangle& tangents, const Depths& depths)
 {
   const glm::dvec2 size = tangents.high - tangents.low;
-  const double slack =
-    std::max(depths.farthest - depths.nearest, depths.farthest * std::max(size.x, size.y)) / 1024.0;
-  const double farDepth = depths.farthest + slack;
-  const double nearDepth = std::max(depths.nearest - slack, farDepth * NearestShare);
+  const double spread =
+    std::max(depths.farthest - depths.nearest, depths.farthest * std::max(size.x, size.y));
+  const double share = 1.0 / 1024.0;
+  const double farDepth = depths.farthest + share * std::min(depths.farthest, spread);
+  const double nearDepth =
+    std::max(depths.nearest - share * std::min(depths.nearest, spread), farDepth * NearestShare);
   return glm::frustum(tangents.low.x * nearDepth, tangents.high.x * nearDepth,
     tangents.low.y * nearDepth, tangents.high.y * nearDepth, nearDepth, farDepth);
 }

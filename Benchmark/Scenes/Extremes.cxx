@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -709,6 +710,16 @@ std::vector<ExtremeCase> ExtremeCases()
   AddOtherLights(cases);
   AddCellars(cases);
   AddMeshes(cases);
+  for (ExtremeCase& extreme : cases.all)
+  {
+    const std::string name = extreme.Name();
+    const auto isOneOf = [&name](std::initializer_list<const char*> names)
+    { return std::find(names.begin(), names.end(), name) != names.end(); };
+    extreme.isBeyond = isOneOf({ "near:far 1:1e+07", "floor wider by 10000", "floor wider by 1e+06",
+      "light at a vertex", "light beside the eye", "cellar view 0.1 degrees", "coordinates NaN",
+      "coordinates 1e30 among others", "matrix singular, to a plane", "matrix sheared by 1000" });
+    extreme.isBroken = extreme.kind == "coordinates" || extreme.kind == "matrix";
+  }
   return std::move(cases.all);
 }
 

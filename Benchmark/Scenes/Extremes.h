@@ -60,6 +60,11 @@ struct ExtremeCase
   bool looksPlain = false;
   // Takes minutes or gigabytes.
   bool isHeavy = false;
+  // Beyond what floats, VTK or a technique can: drawn without harm, but held to no figures.
+  // Docs/Extremes.md says why.
+  bool isBeyond = false;
+  // The input is broken: a technique may say so, in one sentence.
+  bool isBroken = false;
   std::function<void(ExtremeScene&)> change;
 
   std::string Name() const { return this->kind + " " + this->value; }

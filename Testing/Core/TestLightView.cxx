@@ -381,6 +381,24 @@ TEST(LightViews, DepthsAreThoseOfTheCastersInTheFace)
   EXPECT_EQ(depthsOf(4), glm::dvec2(0.0));
 }
 
+// However far the light: the map's depths are those of the scene, not of the way to it.
+TEST(LightViews, DepthsOfAFarLight)
+{
+  const BoxCorners box = Box({ 0, 0, 0 }, { 1, 1, 1 }), floor = Box({ 0, 0, -2 }, { 5, 5, 0 });
+  for (const double distance : { 10.0, 1.0e3, 1.0e6, 1.0e9 })
+  {
+    const LightViewResult result =
+      FitLightView(Point({ 0, 0, distance }), { box }, { box, floor }, Margin);
+    ASSERT_EQ(result.fit, LightViewFit::Fitted) << distance;
+    const double top = ToNdc(result.view, { 0, 0, 1 }).z,
+                 bottom = ToNdc(result.view, { 0, 0, -1 }).z;
+    // Of the 2 between near and far, nearly all.
+    EXPECT_GT(bottom - top, 1.9) << distance;
+    EXPECT_GE(top, -1.0) << distance;
+    EXPECT_LE(bottom, 1.0) << distance;
+  }
+}
+
 TEST(LightViews, DegenerateThings)
 {
   const ShadowLight light = Point({ 0, 0, 0 });

@@ -323,3 +323,57 @@ TEST(PlanarProjection, BoundsHoldEveryShadow)
   }
   EXPECT_GT(unlike, 5000);
 }
+
+//------------------------------------------------------------------------------
+// Far from the world's origin: what a scene of size 1 to 10 throws there is what it throws at the
+// origin, to the rounding of its coordinates there.
+TEST(PlanarProjection, FarFromTheOrigin)
+{
+  for (const double far : { 1.0e6, 1.0e8, 1.0e9 })
+  {
+    const glm::dvec3 offset = far * glm::dvec3(1.0, -0.7, 0.4);
+    const double rounding = std::ldexp(far, -46);
+    for (int scene = 0; scene < 100; ++scene)
+    {
+      const glm::dvec4 plane = SomePlane(), light = SomeLight(plane, scene % 2 == 0);
+      const glm::dvec4 planeThere(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), offset));
+      const glm::dvec4 lightThere = light + glm::dvec4(light.w * offset, 0.0);
+      const PlanarThrow thrown{ light, scene % 3 == 0 ? 0.1 : 0.0 };
+      const PlanarThrow thrownThere{ lightThere, thrown.offset };
+      const glm::dvec4 back = PlaneSeenFrom(planeThere, offset);
+      EXPECT_NEAR(back.w, plane.w, rounding);
+
+      const glm::dvec3 p = PointIn(2.0);
+      const glm::dvec4 byMatrix =
+        OffsetPlanarProjection(plane, light, thrown.offset) * glm::dvec4(p, 1.0);
+      const glm::dvec4 here = ThrownOn(plane, thrown, p);
+      EXPECT_LT(glm::length(byMatrix - here), 1.0e-9 * (1.0 + glm::length(here)));
+      // Near the light's own height points go to infinity, and roundings with them.
+      if (std::abs(here.w) < 0.1)
+      {
+        continue;
+      }
+      const glm::dvec4 there = ThrownOn(planeThere, thrownThere, p + offset);
+      EXPECT_LT(glm::length(glm::dvec3(there) / there.w - offset - glm::dvec3(here) / here.w),
+        1.0e3 * rounding)
+        << far;
+
+      // The view of the casters, from coordinates that begin at the middle of them.
+      const glm::dvec3 towardWC(0.1, 0.2, 0.3);
+      const glm::dmat4 clipFromWorld = SomeView(scene % 5 == 0);
+      const glm::dmat4 clipFromThere = clipFromWorld * glm::translate(glm::dmat4(1.0), -offset);
+      const LightView view = PlanarView(plane, thrown, clipFromWorld, towardWC, 0.0, 4.0);
+      const LightView viewThere =
+        PlanarView(planeThere, thrownThere, clipFromThere, towardWC + offset, 0.0, 4.0);
+      const glm::dvec4 seen = view.clipFromView * (view.viewFromWorld * glm::dvec4(p, 1.0));
+      const glm::dvec4 seenThere =
+        viewThere.clipFromView * (viewThere.viewFromWorld * glm::dvec4(p + offset, 1.0));
+      if (std::abs(seen.w) > 0.1)
+      {
+        EXPECT_LT(glm::length(glm::dvec2(seen) / seen.w - glm::dvec2(seenThere) / seenThere.w),
+          1.0e3 * rounding)
+          << far;
+      }
+    }
+  }
+}

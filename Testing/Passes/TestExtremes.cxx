@@ -1,0 +1,167 @@
+// Every technique at the extremes: against its own picture of the plain still life, and against the
+// truth. `vtkshadows_extremes_table` prints the figures, Docs/Extremes.md has them.
+#include "ShadowTest.h"
+
+#include "ExtremeMeasure.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+using namespace shadowtest;
+using vtkshadows::ExtremeCase;
+using vtkshadows::ExtremeOutcome;
+
+namespace
+{
+
+// Against the truth: share of pixels in percent, and pixels more than 2 px from a true edge.
+struct Limits
+{
+  double mismatch;
+  double gross;
+};
+
+// Techniques for planes and textures alone leave self-shadows out, and have no limits here.
+const std::map<std::string, Limits> LimitsOf = { { "depth-map", { 0.5, 2 } },
+  { "depth-map exact", { 0.05, 0 } }, { "object-id", { 0.5, 2 } },
+  { "stencil-volume", { 0.02, 0 } }, { "ray-cast", { 0.0, 0 } } };
+
+// What "shadow-texture" says of scenes in which it darkens nothing.
+const char* const NoTextures = "All that receives casts, too";
+
+class Extremes : public ShadowTest
+{
+protected:
+  void SetUp() override
+  {
+    ShadowTest::SetUp();
+    this->Window->RemoveRenderer(this->Renderer); // the measure has its own
+  }
+
+  // All that is not heavy and of one of these kinds.
+  void CheckKinds(const std::vector<std::string>& kinds)
+  {
+    vtkshadows::ExtremeMeasure measure(this->Window);
+    int cases = 0;
+    for (const ExtremeCase& extreme : vtkshadows::ExtremeCases())
+    {
+      const bool isWanted = std::any_of(kinds.begin(), kinds.end(),
+        [&](const std::string& kind) { return extreme.kind.compare(0, kind.size(), kind) == 0; });
+      if (!isWanted || extreme.isHeavy)
+      {
+        continue;
+      }
+      ++cases;
+      for (const std::string& technique : vtkshadows::ExtremeTechniques())
+      {
+        const ExtremeOutcome outcome = measure.Measure(extreme, technique);
+        this->CheckMessages(extreme, technique);
+        this->CheckOutcome(extreme, technique, outcome);
+      }
+    }
+    CheckAtLeast("cases", cases, 1);
+  }
+
+private:
+  void CheckMessages(const ExtremeCase& extreme, const std::string& technique)
+  {
+    const std::string what = extreme.Name() + ", " + technique;
+    const std::vector<std::string> messages = TakeMessages();
+    CheckAtMost(what + ": messages", static_cast<double>(messages.size()), 1);
+    for (const std::string& message : messages)
+    {
+      const bool isExpected = extreme.isBroken ||
+        (technique == "shadow-texture" && message.find(NoTextures) != std::string::npos);
+      EXPECT_TRUE(isExpected) << what << " said: " << message;
+    }
+  }
+
+  void CheckOutcome(
+    const ExtremeCase& extreme, const std::string& technique, const ExtremeOutcome& outcome)
+  {
+    const std::string what = extreme.Name() + ", " + technique;
+    EXPECT_TRUE(outcome.made) << what << ": no visibility";
+    Check(what + ": OpenGL error", outcome.openGLError, 0);
+    if (extreme.isBeyond)
+    {
+      std::printf("       %s: alike %.4g %%, mismatch %.4g %%, gross %lld\n", what.c_str(),
+        outcome.agreement, outcome.MismatchPercent(), static_cast<long long>(outcome.gross));
+      return;
+    }
+    // A sheared box around a caster is wider, so that maps fitted to it have other texels.
+    if (extreme.looksPlain && extreme.kind != "matrix")
+    {
+      // Rays start off a face by what all positions in the scene are rounded by, which a wide floor
+      // makes more: pixels of grazing light differ.
+      const double ofRays = extreme.kind == "floor wider by" ? 99.9 : 99.99;
+      CheckAtLeast(what + ": alike %", outcome.agreement, technique == "ray-cast" ? ofRays : 99.99);
+      if (outcome.truthAgreement >= 0.0)
+      {
+        CheckAtLeast(what + ": truth alike %", outcome.truthAgreement, ofRays);
+      }
+    }
+    const auto limits = LimitsOf.find(technique);
+    if (outcome.receivers > 0 && limits != LimitsOf.end())
+    {
+      CheckAtMost(what + ": mismatch %", outcome.MismatchPercent(), limits->second.mismatch);
+      CheckAtMost(what + ": gross", static_cast<double>(outcome.gross), limits->second.gross);
+    }
+  }
+};
+
+}
+
+TEST_F(Extremes, Scales)
+{
+  this->CheckKinds({ "scale" });
+}
+
+TEST_F(Extremes, Offsets)
+{
+  this->CheckKinds({ "offset", "small and far" });
+}
+
+TEST_F(Extremes, OtherLightsAndCellars)
+{
+  this->CheckKinds({ "sun plain", "sun", "lamp within", "cellar" });
+}
+
+TEST_F(Extremes, Views)
+{
+  this->CheckKinds({ "near:far", "view", "window" });
+}
+
+TEST_F(Extremes, PlacesOfLights)
+{
+  this->CheckKinds({ "light distance", "light" });
+}
+
+TEST_F(Extremes, Cones)
+{
+  this->CheckKinds({ "cone" });
+}
+
+TEST_F(Extremes, Meshes)
+{
+  this->CheckKinds({ "floor", "slivers", "fan", "triangles" });
+}
+
+TEST_F(Extremes, MatricesAndBrokenCoordinates)
+{
+  this->CheckKinds({ "matrix", "coordinates" });
+}
+
+// The measure itself: a technique that draws nothing is told from one that draws shadows.
+TEST_F(Extremes, TheMeasureSeesALostShadow)
+{
+  vtkshadows::ExtremeMeasure measure(this->Window);
+  ExtremeCase lost;
+  lost.kind = "no shadows";
+  lost.looksPlain = true;
+  lost.change = [](vtkshadows::ExtremeScene& scene) { scene.parts.resize(1); };
+  const ExtremeOutcome outcome = measure.Measure(lost, "stencil-volume");
+  CheckAtMost("alike %", outcome.agreement, 90.0);
+  lost.change = [](vtkshadows::ExtremeScene&) {};
+  Check("the plain still life, alike %", measure.Measure(lost, "stencil-volume").agreement, 100.0);
+}
