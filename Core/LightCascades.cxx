@@ -236,7 +236,7 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   { return 2.0 * (1.0 + GuardBand) * BallOfSlice(from, to, cone.angle).radius / texels; };
   double nearest = 0.0, farthest = 0.0;
   DistancesFrom(cone.tipWC, receivers, nearest, farthest);
-  const double end = HalfStepAbove(farthest);
+  const double end = std::min(HalfStepAbove(farthest), settings.farthest);
   const double breakEven = wholeTexel / texelOf(0.0, 1.0);
   const bool endsInWhole = breakEven < WorthwhileGain * end;
   const double last = endsInWhole ? std::min(breakEven, end) : end;

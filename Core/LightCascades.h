@@ -33,6 +33,8 @@ struct CascadeSettings
   CascadeScheme scheme = CascadeScheme::Practical;
   double weight = 0.98; // of the logarithmic scheme in the practical one, 0 to 1
   double blend = 0.1;   // share of a cascade's reach over which it blends into the next, 0 to 1
+  // Beyond this distance from the eye nothing is in shadow, whatever casts: above 0.
+  double farthest = std::numeric_limits<double>::infinity();
 };
 
 // What the eye sees: OpenGL clip space, z in -w..w.

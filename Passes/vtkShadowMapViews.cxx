@@ -260,7 +260,7 @@ vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
     slot.CubeFromWorld = fitted.cubeFromWorld;
     if (slot.HasCascades && !fitted.views.empty())
     {
-      this->FitCascades(slot, others, fitted.views);
+      this->FitCascades(slot, light.MaximumDistance, others, fitted.views);
     }
     else if (this->FittedTo.ConfineToView && !fitted.isCube && !fitted.views.empty())
     {
@@ -283,7 +283,7 @@ vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
 
 //------------------------------------------------------------------------------
 // In place of the one view of a directional light.
-void vtkShadowMapViews::FitCascades(vtkShadowMapSlot& slot,
+void vtkShadowMapViews::FitCascades(vtkShadowMapSlot& slot, double maximumDistance,
   const std::vector<BoxCorners>& receivers, std::vector<vtkshadows::FittedLightView>& views) const
 {
   const vtkShadowMapFit& fit = this->FittedTo;
@@ -291,8 +291,13 @@ void vtkShadowMapViews::FitCascades(vtkShadowMapSlot& slot,
   const auto before = std::find_if(this->SlotsBefore.begin(), this->SlotsBefore.end(),
     [&whole](const vtkShadowMapSlot& other)
     { return other.Cascades.lightFromWorld == glm::dmat3(whole.viewFromWorld); });
+  vtkshadows::CascadeSettings settings = fit.Cascades;
+  if (maximumDistance > 0.0)
+  {
+    settings.farthest = maximumDistance;
+  }
   slot.Cascades = vtkshadows::FitLightCascades(slot.Light, whole, slot.Casters, receivers, fit.Eye,
-    fit.Cascades, fit.Resolution, fit.MarginTexels,
+    settings, fit.Resolution, fit.MarginTexels,
     before != this->SlotsBefore.end() ? &before->Cascades : nullptr);
   views.clear();
   for (const vtkshadows::Cascade& cascade : slot.Cascades.cascades)

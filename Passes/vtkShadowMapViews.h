@@ -198,7 +198,8 @@ private:
 
   vtkShadowMapSlot SlotOf(const vtkShadowFrame& frame, const vtkShadowScene::Light& light,
     const vtkShadowMapRoles& roles, const std::vector<vtkshadows::BoxCorners>& receivers) const;
-  void FitCascades(vtkShadowMapSlot& slot, const std::vector<vtkshadows::BoxCorners>& receivers,
+  void FitCascades(vtkShadowMapSlot& slot, double maximumDistance,
+    const std::vector<vtkshadows::BoxCorners>& receivers,
     std::vector<vtkshadows::FittedLightView>& views) const;
   int LayerBefore(std::size_t slot, const vtkShadowMapView& like) const;
   void StampCasters(const vtkShadowScene& scene);

@@ -419,6 +419,7 @@ std::vector<vtkShadowedShadingPass::LightPlan> vtkShadowPass::Internals::PlanLig
   {
     const LightSettings settings = this->SettingsOf(lights[i].Source);
     this->Scene->SetLightRadius(i, settings.Radius);
+    this->Scene->SetLightMaximumDistance(i, withStrength ? settings.MaximumDistance : 0.0);
     vtkShadowedShadingPass::LightPlan entry;
     entry.Light = &lights[i].Ray;
     entry.Strength = static_cast<float>(withStrength ? settings.Strength : 1.0);

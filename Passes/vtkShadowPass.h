@@ -166,7 +166,8 @@ public:
   /**
    * How far from the eye the shadows of one light reach, in world units; 0 (default): however far.
    * Up to `fade` of that distance, 0 to 1 (default 0.1), before its end they fade out; beyond it
-   * the light is lit. Like strength it is no part of the visibility that is read back. Negative
+   * the light is lit. Cascades reach no farther, and are the finer for it. Like strength it is no
+   * part of the visibility that is read back. Negative
    * values, and what is not finite, are errors and change nothing.
    */
   void SetLightMaximumDistance(vtkLight* light, double distance);

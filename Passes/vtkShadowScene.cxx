@@ -642,6 +642,11 @@ void vtkShadowScene::SetLightRadius(std::size_t light, double radius)
   this->Internal->Lights[light].Ray.radius = radius;
 }
 
+void vtkShadowScene::SetLightMaximumDistance(std::size_t light, double distance)
+{
+  this->Internal->Lights[light].MaximumDistance = distance;
+}
+
 //------------------------------------------------------------------------------
 const std::vector<vtkShadowScene::Light>& vtkShadowScene::GetLights() const
 {

@@ -64,8 +64,9 @@ public:
   void SetTranslucentCasting(int how);
   int GetTranslucentCasting() const;
 
-  // The radius is no property of a vtkLight: vtkShadowPass knows it.
+  // These are no properties of a vtkLight: vtkShadowPass knows them.
   void SetLightRadius(std::size_t light, double radius);
+  void SetLightMaximumDistance(std::size_t light, double distance);
 #endif
 
 protected:

@@ -23,8 +23,9 @@ class vtkShadowedShadingPass;
 struct vtkShadowScene::Light
 {
   vtkLight* Source = nullptr;
-  vtkshadows::ShadowLight Ray; // what shadows need of it, world
-  bool AtEye = false;          // headlight: nothing that is seen is shadowed
+  vtkshadows::ShadowLight Ray;  // what shadows need of it, world
+  bool AtEye = false;           // headlight: nothing that is seen is shadowed
+  double MaximumDistance = 0.0; // from the eye, of what is in shadow, world; 0: any
 };
 
 // One mapper of a prop with its place in the world.

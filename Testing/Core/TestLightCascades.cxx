@@ -98,6 +98,36 @@ glm::dvec3 Seen(const CascadeEye& eye, double x, double y, double distance)
 
 }
 
+// Where nothing is in shadow beyond some distance, the last cascade need not reach farther, and all
+// are finer.
+TEST(LightCascades, EndAtADistance)
+{
+  const Country country;
+  const CascadeEye eye = EyeAt(glm::dvec3(100.0, -200.0, 2.0), 0.7);
+  const LightCascades whole = country.Fit(eye, Cascades(3));
+  CascadeSettings settings = Cascades(3);
+  settings.farthest = 150.0;
+  const LightCascades ending = country.Fit(eye, settings);
+  ASSERT_EQ(ending.cascades.size(), 3u);
+  ASSERT_EQ(whole.cascades.size(), 3u);
+  for (int i = 0; i < 3; ++i)
+  {
+    std::printf("cascade %d: texels got %g, expected at most %g\n", i, ending.cascades[i].texel,
+      0.7 * whole.cascades[i].texel);
+    EXPECT_LT(ending.cascades[i].texel, 0.7 * whole.cascades[i].texel);
+  }
+  // What the eye sees within the distance lies in the last map.
+  for (const double x : { -1.0, 0.0, 1.0 })
+  {
+    for (const double y : { -1.0, 0.0, 1.0 })
+    {
+      const glm::dvec3 texel = Texel(ending.cascades[2].view, Seen(eye, x, y, 149.0));
+      EXPECT_GE(std::min(texel.x, texel.y), Margin) << x << ", " << y;
+      EXPECT_LE(std::max(texel.x, texel.y), Resolution - Margin) << x << ", " << y;
+    }
+  }
+}
+
 TEST(LightCascades, Schemes)
 {
   const auto even = CascadeReaches(4, 1.0, 81.0, CascadeScheme::Uniform, 1.0);

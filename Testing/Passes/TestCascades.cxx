@@ -3,6 +3,7 @@
 #include "ShadowTest.h"
 #include "TestScenes.h"
 
+#include "vtkObjectIDShadowPass.h"
 #include "vtkShadowErrorMeasure.h"
 
 #include <vtkOpenGLSphereMapper.h>
@@ -148,6 +149,106 @@ TEST_F(Cascades, NumbersAndSchemes)
       CheckAtMost("views", this->Maps()->GetNumberOfViews(), number);
     }
   }
+}
+
+// Object-ID maps have them by the same views.
+TEST_F(Cascades, OfObjectIDs)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto sun = this->AddCountry();
+  this->Shadows->SetTechnique("object-id");
+  vtkObjectIDShadowPass* objects = this->Shadows->GetObjectIDShadowPass();
+  for (const int bits : { 16, 24, 32 })
+  {
+    objects->SetDepthBits(bits);
+    for (const double azimuth : { 20.0, 200.0 })
+    {
+      const std::string what =
+        std::to_string(bits) + " bits, azimuth " + std::to_string(azimuth) + ": mismatch %, ";
+      this->Turn(azimuth);
+      objects->SetResolution(1024);
+      objects->SetNumberOfCascades(4);
+      const double four = this->MismatchOf(sun);
+      Check("views", objects->GetNumberOfViews(), 4.0);
+      objects->SetNumberOfCascades(1);
+      objects->SetResolution(2048);
+      const double one = this->MismatchOf(sun);
+      Check("views", objects->GetNumberOfViews(), 1.0);
+      CheckAtMost(what + "four cascades of 1024", four, 1.0);
+      CheckAtLeast(what + "one map of 2048, to that", one / four, 3.0);
+    }
+  }
+
+  // On bare hills, which truly are lit, no seam is seen.
+  this->Renderer->RemoveAllViewProps();
+  this->AddHills(4000.0);
+  objects->SetResolution(1024);
+  objects->SetDepthBits(16);
+  sun->SetPosition(-0.3, -0.2, 1.0);
+  for (const double blend : { 0.0, 0.1, 1.0 })
+  {
+    objects->SetCascadeBlend(blend);
+    for (const int number : { 2, 4, 8 })
+    {
+      objects->SetNumberOfCascades(number);
+      this->Turn(77.0);
+      this->Render();
+      const Visibility visibility = this->VisibilityOf(sun);
+      const auto dark = std::count_if(visibility.values.begin(), visibility.values.end(),
+        [](float value) { return value < 0.99f; });
+      Check("blend " + std::to_string(blend) + ", " + std::to_string(number) +
+          " cascades: darkened pixels",
+        static_cast<double>(dark), 0.0);
+    }
+  }
+}
+
+// Where shadows end at some distance, cascades reach no farther: near to the eye they are finer.
+// What is read back knows nothing of distances, so frames are compared.
+TEST_F(Cascades, ShortenedByAMaximumDistance)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  auto sun = this->AddCountry();
+  this->Maps()->SetNumberOfCascades(3);
+  const double distances[] = { 0.0, 200.0 };
+  std::size_t near = 0, wrong[2] = { 0, 0 };
+  for (const double azimuth : { 20.0, 110.0, 200.0, 290.0 })
+  {
+    this->Turn(azimuth);
+    Frame truth[2], got[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Shadows->SetLightMaximumDistance(sun, distances[i]);
+      this->Shadows->SetTechnique("ray-cast");
+      truth[i] = this->Render();
+      this->Shadows->SetTechnique("depth-map");
+      got[i] = this->Render();
+      const Visibility seen = this->VisibilityOf(sun);
+      CheckAtLeast(
+        "pixels in shadow, read back", static_cast<double>(seen.CountShadowed()), 1000.0);
+      Check("pixels unlike, after reading back",
+        static_cast<double>(CountDifferent(got[i], this->Render(), 2)), 0.0);
+    }
+    // Where the distance changes nothing.
+    for (int y = 0; y < truth[0].height; ++y)
+    {
+      for (int x = 0; x < truth[0].width; ++x)
+      {
+        const int expected = truth[0].Brightness(x, y);
+        if (truth[1].Brightness(x, y) == expected)
+        {
+          ++near;
+          for (int i = 0; i < 2; ++i)
+          {
+            wrong[i] += std::abs(got[i].Brightness(x, y) - expected) > 100 ? 1 : 0;
+          }
+        }
+      }
+    }
+  }
+  CheckAtLeast("pixels whose shadow does not end", static_cast<double>(near), 200000.0);
+  CheckAtMost("wrong ones of them by shortened cascades, over those by whole ones",
+    static_cast<double>(wrong[1]) / static_cast<double>(wrong[0]), 0.8);
 }
 
 // Whatever blends, and where nothing blends, no seam is seen: on bare hills, which truly are lit.
