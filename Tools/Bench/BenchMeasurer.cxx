@@ -226,8 +226,8 @@ void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
   const FrameTimings timings = TimeFrames(this->stage, BenchTiming(this->options), this->progress);
   PutTimings(row, timings);
   // Where one round was too much already, its stages are not asked for.
-  row["stages"] =
-    setting.IsPeer() || timings.rounds < 2 ? BenchJson::array() : JsonOf(TimeStages(this->stage));
+  const bool slow = timings.rounds == 1 && this->options.frames == 0;
+  row["stages"] = setting.IsPeer() || slow ? BenchJson::array() : JsonOf(TimeStages(this->stage));
   row["texture_bytes"] = nullptr;
   row["caster_bytes"] = nullptr;
   if (auto* technique = this->stage.Shadows()->GetTechniquePass(setting.technique))

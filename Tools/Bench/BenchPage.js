@@ -94,8 +94,8 @@ function frontOf(points) {
 function pointsOf(rows, measure, time, floor) {
   return rows.map(row => {
     const error = worstOf(row, measure);
-    return { x: row["frame_ms_" + time], y: Math.max(error, floor), technique: row.technique,
-      label: `${row.setting}: ${number(row["frame_ms_" + time])} ms \u00b1 ${number(row["spread_ms_" + time], 2)}, ` +
+    return { x: row["ratio_" + time], y: Math.max(error, floor), technique: row.technique,
+      label: `${row.setting}: ${number(row["ratio_" + time])} times, ${number(row["frame_ms_" + time])} ms \u00b1 ${number(row["spread_ms_" + time], 2)}, ` +
         `error ${number(error)}` };
   });
 }
@@ -105,7 +105,7 @@ function drawScene(parent, rows, soft, time) {
   const pixels = Math.max(...rows.map(row => Math.max(...row.errors.map(error => error.receiver_pixels))));
   const floor = soft ? 1e-5 : 50 / Math.max(pixels, 1);
   const points = pointsOf(rows, measure, time, floor);
-  const [left, right] = range([...points.map(p => p.x), ...rows.map(r => r.frame_ms_unshadowed)], 1.15);
+  const [left, right] = range([...points.map(p => p.x), 1], 1.15);
   const [low, high] = range(points.map(p => p.y).concat([floor]), 1.5);
   const datasets = [];
   for (const technique of Object.keys(looks)) {
@@ -119,12 +119,13 @@ function drawScene(parent, rows, soft, time) {
   datasets.push({ label: "Pareto front", data: frontOf(points.filter(p => p.technique !== "none")), showLine: true,
     pointRadius: 0, borderColor: "#444", borderWidth: 1.5, pointStyle: "line", order: 10 });
   const unshadowed = rows.map(row => row.frame_ms_unshadowed).sort((a, b) => a - b)[Math.floor(rows.length / 2)];
-  datasets.push({ label: "frame without shadows", data: [{ x: unshadowed, y: low }, { x: unshadowed, y: high }],
+  datasets.push({ label: "frame without shadows", data: [{ x: 1, y: low }, { x: 1, y: high }],
     showLine: true, pointRadius: 0, borderColor: "#888", borderDash: [5, 4], borderWidth: 1.5, pointStyle: "line", order: 11 });
   const what = soft ? "mean absolute difference of visibility (0 to 1)"
     : (measure === "gross_percent" ? "gross error" : "mismatch") + ", % of receiver pixels";
   draw(parent, soft ? "Soft shadows" : "Hard shadows", datasets,
-    logAxis("milliseconds a frame, " + (time === "moving" ? "the light moving" : "the light still"), left, right),
+    logAxis(`frame time over that without shadows (${number(unshadowed)} ms), the light ` +
+      (time === "moving" ? "moving" : "still"), left, right),
     logAxis(what, low, high));
   element("p", parent, soft ? "Differences below 0.00001 are drawn at it."
     : `Settings without a wrong pixel are drawn at half a pixel, ${number(floor)} %.`, { className: "quiet" });
