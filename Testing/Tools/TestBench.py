@@ -1,8 +1,8 @@
 """bench: rows, journal, going on after a cut, CSV, JSON; and its page, as a browser shows it."""
 
 import csv
-import glob
 import json
+import math
 import os
 import re
 import shutil
@@ -99,6 +99,13 @@ expected = {(axis, name) for axis in ("triangles", "lights", "pixels") for name 
 check("fits", axes, expected | {("samples", "soft/planar")})
 for fit in sweeps["fits"]:
     check(f"points of {fit['axis']}, {fit['setting']}", fit["points"] + fit["left_out"], 3)
+    rows = [row for row in sweeps["rows"] if row["axis"] == fit["axis"] and row["cost_ms_moving"] > 0 and
+            (row["setting"] == fit["setting"] or row["setting"].startswith(fit["setting"] + "/"))]  # fmt: skip
+    if fit["points"] >= 2:
+        xs, ys = ([math.log(row[key]) for row in rows] for key in ("value", "cost_ms_moving"))
+        x0, y0 = sum(xs) / len(xs), sum(ys) / len(ys)
+        slope = sum((x - x0) * (y - y0) for x, y in zip(xs, ys)) / sum((x - x0) ** 2 for x in xs)
+        check(f"exponent of {fit['axis']}, {fit['setting']}", fit["exponent"], slope, 1e-9)
 
 # --- The page ---
 if not os.path.exists("out/bench.html"):
