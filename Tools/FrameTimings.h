@@ -30,8 +30,8 @@ struct FrameTimings
 };
 
 // How often. `rounds` 0: as many as take `seconds`, 3 to 15; 0 of both: 15, or fewer (at least 3)
-// where a frame takes longer than a second. With `seconds`, what takes more than four times as long
-// for a single round is not timed again: that round is the answer.
+// where a frame takes longer than a second. With `seconds`, where one frame takes longer than that,
+// a single one of each kind is the answer.
 struct TimingPlan
 {
   int rounds = 0;

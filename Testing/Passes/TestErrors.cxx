@@ -15,6 +15,7 @@
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -181,6 +182,41 @@ TEST_F(Errors, MeasureWithoutAShadowPass)
   ExpectOneMessage({ "vtkShadowErrorMeasure", "vtkShadowPass", "SetPass" });
   EXPECT_FALSE(error->Measure(nullptr, this->Light));
   ExpectOneMessage({ "vtkShadowErrorMeasure", "vtkShadowPass" });
+}
+
+TEST_F(Errors, MeasureAgainWithoutATruthOrWithAnotherSize)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->AddScene();
+  this->Render();
+  vtkNew<vtkShadowErrorMeasure> error;
+  vtkNew<vtkImageData> image;
+  EXPECT_FALSE(error->MeasureAgain(image));
+  ExpectOneMessage({ "vtkShadowErrorMeasure", "no truth", "Measure" });
+  ASSERT_TRUE(error->Measure(this->Renderer, this->Light));
+  const vtkIdType receivers = error->GetReceiverPixels(), shadow = error->GetShadowPixels();
+  const vtkIdType uncertain = error->GetUncertainPixels();
+  image->SetDimensions(7, 5, 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  EXPECT_FALSE(error->MeasureAgain(image));
+  ExpectOneMessage({ "vtkShadowErrorMeasure", "one float component", "400 x 300" });
+  EXPECT_FALSE(error->MeasureAgain(nullptr));
+  ExpectOneMessage({ "vtkShadowErrorMeasure", "one float component" });
+  Check("receivers", double(error->GetReceiverPixels()), double(receivers));
+
+  // The truth itself is right; lit everywhere, what is in shadow is missed; no number is left out.
+  image->DeepCopy(error->GetTruth());
+  ASSERT_TRUE(error->MeasureAgain(image));
+  Check("mismatch of the truth", double(error->GetMismatchPixels()), 0.0);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  std::fill_n(values, image->GetNumberOfPoints(), 1.0f);
+  ASSERT_TRUE(error->MeasureAgain(image));
+  CheckAtLeast("shadow", double(shadow), 1.0);
+  Check("mismatch of light", double(error->GetMismatchPixels()), double(shadow));
+  std::fill_n(values, image->GetNumberOfPoints(), std::nanf(""));
+  ASSERT_TRUE(error->MeasureAgain(image));
+  Check("receivers of no number", double(error->GetReceiverPixels()), 0.0);
+  Check("left out", double(error->GetUncertainPixels()), double(uncertain + receivers));
 }
 
 //------------------------------------------------------------------------------

@@ -117,6 +117,19 @@ for view in ("cascades", "texel-density", "map", "lit-part"):
     refused(["--debug " + view, "technique is ray-cast", "--technique depth-map"], "render", "mesh.off", *PICTURE,
             "--debug", view, "--technique", "ray-cast")  # fmt: skip
 
+# --- Of bench ---
+refused(["-o", "missing", "folder"], "bench")
+refused(["--scenes stil-life", "still-life"], "bench", "-o", "results", "--scenes", "stil-life")
+refused(["--settings photon", "--list"], "bench", "-o", "results", "--settings", "photon")
+refused(["--detail 0", "0.01 to 100"], "bench", "-o", "results", "--detail", "0")
+refused(["--triangles 5", "10000"], "bench", "-o", "results", "--triangles", "5")
+refused(["--seconds -1"], "bench", "-o", "results", "--seconds", "-1")
+refused(["--size 0x3", "no area"], "bench", "-o", "results", "--size", "0x3")
+refused(["--statue no.off", "no such file"], "bench", "-o", "results", "--statue", "no.off")
+refused(["-o mesh.off", "is a file"], "bench", "-o", "mesh.off")
+refused(["input missing.ply"], "bench", "missing.ply", "-o", "results")
+refused(["--frames 0", "less than 1"], "bench", "-o", "results", "--frames", "0")
+
 refused_option(["no direction"], "--light", "directional:0,0,0", "not zero")
 refused_option(["no direction"], "--light", "spot:1,1,1:1,1,1:30", "focal point")
 for cone in ["0", "90", "-4", "180"]:

@@ -223,8 +223,11 @@ void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
   row["errors"] = withErrors ? this->ErrorsOf(run, peer) : BenchJson::array();
 
   this->stage.UsePass(peer);
-  PutTimings(row, TimeFrames(this->stage, BenchTiming(this->options), this->progress));
-  row["stages"] = setting.IsPeer() ? BenchJson::array() : JsonOf(TimeStages(this->stage));
+  const FrameTimings timings = TimeFrames(this->stage, BenchTiming(this->options), this->progress);
+  PutTimings(row, timings);
+  // Where one round was too much already, its stages are not asked for.
+  const bool slow = timings.rounds == 1 && this->options.frames == 0;
+  row["stages"] = setting.IsPeer() || slow ? BenchJson::array() : JsonOf(TimeStages(this->stage));
   row["texture_bytes"] = nullptr;
   row["caster_bytes"] = nullptr;
   if (auto* technique = this->stage.Shadows()->GetTechniquePass(setting.technique))
