@@ -536,10 +536,15 @@ void vtkShadowPass::Internals::ReleaseWhatWasTried(vtkWindow* window)
   {
     for (vtkShadowTechniquePass* technique : this->Techniques)
     {
-      const bool isUsed = std::any_of(this->Plan.begin(), this->Plan.end(),
-        [&](const vtkShadowedShadingPass::LightPlan& entry)
-        { return entry.Technique == technique; });
-      if (!isUsed && !this->Chooser.MayUse(technique->GetTechniqueName()))
+      const std::string name = technique->GetTechniqueName();
+      const std::vector<vtkShadowScene::Light>& lights = this->Scene->GetLights();
+      const bool isNamed = std::any_of(lights.begin(), lights.end(),
+        [&](const vtkShadowScene::Light& light)
+        {
+          const std::string own = this->SettingsOf(light.Source).Technique;
+          return (own.empty() ? this->Default : own) == name;
+        });
+      if (!isNamed && !this->Chooser.MayUse(name))
       {
         technique->ReleaseGraphicsResources(window);
       }
