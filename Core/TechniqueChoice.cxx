@@ -13,11 +13,11 @@ namespace
 // Frames of a way that are drawn before one is counted (shaders are compiled, maps drawn), and that
 // are counted. The least of them is kept: what else runs on a machine only ever adds.
 constexpr int FramesBefore = 1;
-constexpr int FramesCounted = 2;
+constexpr int FramesCounted = 3;
 // Rows of such frames, and times the fastest from which on a way has lost after one.
 constexpr int MostRows = 2;
 constexpr double HasLost = 1.6;
-// How much faster another way must be to take the place of the one there is.
+// How much faster a way must be than one that is expected to cost less.
 constexpr double ClearlyFaster = 0.9;
 // A way expected to cost more than this times the fastest known is not tried.
 constexpr double NotPromising = 4.0;
@@ -349,14 +349,20 @@ void FrameTrials::Advance()
     this->Timings[*next].timed = 0;
     return;
   }
+  // Of those nearly as fast the one that is expected to cost the least: a noise decides nothing.
   const std::size_t best = this->Best();
-  const std::optional<double> seconds = this->SecondsOf(best);
-  const std::optional<double> current = this->SecondsOf(this->Chosen);
-  const bool staysGood = this->Way().isRight && !this->Budget.maximumSeconds && seconds && current;
-  if (!staysGood || *seconds < ClearlyFaster * *current)
+  std::size_t taken = best;
+  for (std::size_t i = 0; !this->Budget.maximumSeconds && i < this->Ways.size(); ++i)
   {
-    this->Chosen = best;
+    const std::optional<double> seconds = this->SecondsOf(i);
+    const std::optional<double> least = this->SecondsOf(best);
+    if (this->Ways[i].isRight && seconds && least && ClearlyFaster * *seconds <= *least &&
+      this->Ways[i].cost < this->Ways[taken].cost)
+    {
+      taken = i;
+    }
   }
+  this->Chosen = taken;
   this->Settled = true;
   this->SinceSettled = 0;
   this->Strange = 0;
