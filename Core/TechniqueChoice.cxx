@@ -437,7 +437,7 @@ std::string Explain(const Reasons& reasons, const ShadowBudget& budget)
   }
   else if (reasons.error && reasons.error->isOfNothing)
   {
-    text += "none of the light falls on what is in view, so that nothing can be wrong";
+    text += "nothing in view that it lights could be measured";
   }
   else if (reasons.error)
   {

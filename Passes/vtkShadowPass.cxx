@@ -283,7 +283,9 @@ public:
 
   bool IsKnown(const std::string& name) const
   {
-    return name == NoTechnique || name == AutoTechnique || this->Find(name);
+    // A technique that stands alone has no others to choose among.
+    return name == NoTechnique || (name == AutoTechnique && !this->Owned.empty()) ||
+      this->Find(name);
   }
 
   // The techniques that a view explains.
@@ -750,8 +752,11 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   clock.EndFrame();
-  this->Internal->Chooser.FrameDrawn(
-    isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
+  if (!renderer->GetSelector())
+  {
+    this->Internal->Chooser.FrameDrawn(
+      isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
+  }
   if (shadowed)
   {
     if (this->Internal->DebugView != NoView)
