@@ -14,7 +14,10 @@ namespace
 // are counted. The least of them is kept: what else runs on a machine only ever adds.
 constexpr int FramesBefore = 1;
 constexpr int FramesCounted = 3;
-// How much faster another way must be to take the place of the one there is.
+// Rows of such frames, and times the fastest from which on a way has lost after one.
+constexpr int MostRows = 2;
+constexpr double HasLost = 1.6;
+// How much faster a way must be than one that is expected to cost less.
 constexpr double ClearlyFaster = 0.9;
 // A way expected to cost more than this times the fastest known is not tried.
 constexpr double NotPromising = 4.0;
@@ -110,13 +113,13 @@ Standing StandingOf(const ShadowSetting& setting, const SceneNeeds& scene, const
   if (name == "planar")
   {
     return !scene.receivesFlat ? Standing{ Standing::Unfit, "not all that receives is flat" }
-      : scene.hasStandIns      ? Standing{ Standing::Assumed, "stand-ins cast" }
                                : Standing{ Standing::Exact, "" };
   }
   const bool byRays = name == "ray-cast";
-  if (byRays && !scene.hasRays)
+  if (byRays && (!scene.hasRays || scene.hasStandIns))
   {
-    return { Standing::Unfit, "this build has none" };
+    return { Standing::Unfit,
+      scene.hasRays ? "stand-ins cast, which rays do not know" : "this build has none" };
   }
   const std::string beyond =
     BeyondSurfaces(scene, byRays ? scene.notHitByRays : scene.notTriangles);
@@ -124,8 +127,7 @@ Standing StandingOf(const ShadowSetting& setting, const SceneNeeds& scene, const
   {
     return { Standing::Unfit, beyond };
   }
-  return !byRays && scene.hasStandIns ? Standing{ Standing::Assumed, "stand-ins cast" }
-                                      : Standing{ Standing::Exact, "" };
+  return { Standing::Exact, "" };
 }
 
 //------------------------------------------------------------------------------
@@ -171,9 +173,25 @@ std::string SecondsText(double seconds)
 }
 
 //------------------------------------------------------------------------------
-bool FrameTrials::Timing::IsDone() const
+// Of the ways that were timed.
+double FrameTrials::LeastSeconds() const
 {
-  return this->timed >= FramesCounted;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < this->Ways.size(); ++i)
+  {
+    if (this->Ways[i].isRight && this->Timings[i].rows > 0)
+    {
+      least = std::min(least, this->Timings[i].seconds);
+    }
+  }
+  return least;
+}
+
+bool FrameTrials::IsDone(std::size_t way) const
+{
+  const Timing& timing = this->Timings[way];
+  return timing.rows >= MostRows ||
+    (timing.rows > 0 && timing.seconds > HasLost * this->LeastSeconds());
 }
 
 //------------------------------------------------------------------------------
@@ -247,7 +265,7 @@ void FrameTrials::Restart()
 std::optional<double> FrameTrials::SecondsOf(std::size_t way) const
 {
   const Timing& timing = this->Timings[way];
-  return timing.timed > 0 ? std::optional<double>(timing.seconds) : std::nullopt;
+  return timing.seconds > 0.0 ? std::optional<double>(timing.seconds) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -304,20 +322,22 @@ std::size_t FrameTrials::Best() const
 }
 
 //------------------------------------------------------------------------------
-// The next way to be timed, if the current one is and others may be better; else the best.
+// Once a row of the current way is done, the next way to be timed, the one with the fewest rows; or
+// the best, if all are done.
 void FrameTrials::Advance()
 {
-  // What is the only way need not be timed.
-  const bool isOnly = this->Ways.size() == 1 && !this->Budget.maximumSeconds;
-  if (this->Settled || (!isOnly && !this->Timings[this->Chosen].IsDone() && this->Way().isRight))
+  if (this->Settled)
   {
     return;
   }
+  // What is the only way need not be timed.
+  const bool isOnly = this->Ways.size() == 1 && !this->Budget.maximumSeconds;
   std::optional<std::size_t> next;
-  for (std::size_t i = 0; i < this->Ways.size(); ++i)
+  for (std::size_t i = 0; !isOnly && i < this->Ways.size(); ++i)
   {
-    if (!isOnly && !this->Timings[i].IsDone() && this->IsPromising(i) &&
-      (!next || this->Ways[i].cost < this->Ways[*next].cost))
+    const auto rank = [&](std::size_t way)
+    { return std::make_pair(this->Timings[way].rows, this->Ways[way].cost); };
+    if (!this->IsDone(i) && this->IsPromising(i) && (!next || rank(i) < rank(*next)))
     {
       next = i;
     }
@@ -325,17 +345,24 @@ void FrameTrials::Advance()
   if (next)
   {
     this->Chosen = *next;
-    this->Timings[*next] = {};
+    this->Timings[*next].frames = 0;
+    this->Timings[*next].timed = 0;
     return;
   }
+  // Of those nearly as fast the one that is expected to cost the least: a noise decides nothing.
   const std::size_t best = this->Best();
-  const std::optional<double> seconds = this->SecondsOf(best);
-  const std::optional<double> current = this->SecondsOf(this->Chosen);
-  const bool staysGood = this->Way().isRight && !this->Budget.maximumSeconds && seconds && current;
-  if (!staysGood || *seconds < ClearlyFaster * *current)
+  std::size_t taken = best;
+  for (std::size_t i = 0; !this->Budget.maximumSeconds && i < this->Ways.size(); ++i)
   {
-    this->Chosen = best;
+    const std::optional<double> seconds = this->SecondsOf(i);
+    const std::optional<double> least = this->SecondsOf(best);
+    if (this->Ways[i].isRight && seconds && least && ClearlyFaster * *seconds <= *least &&
+      this->Ways[i].cost < this->Ways[taken].cost)
+    {
+      taken = i;
+    }
   }
+  this->Chosen = taken;
   this->Settled = true;
   this->SinceSettled = 0;
   this->Strange = 0;
@@ -350,7 +377,7 @@ bool FrameTrials::WantsTime() const
   }
   if (this->Settled)
   {
-    return this->Timings[this->Chosen].timed > 0 && this->Ways.size() > 1 &&
+    return this->Timings[this->Chosen].seconds > 0.0 && this->Ways.size() > 1 &&
       this->SinceSettled % FramesBetweenChecks == FramesBetweenChecks - 1;
   }
   return this->Timings[this->Chosen].frames >= FramesBefore;
@@ -371,7 +398,7 @@ void FrameTrials::FrameDrawn(std::optional<double> seconds)
   {
     // A strange frame is followed by another look at the next.
     ++this->SinceSettled;
-    if (seconds && timing.timed > 0)
+    if (seconds && timing.seconds > 0.0)
     {
       const double ratio = *seconds / timing.seconds;
       const bool isStrange = ratio > StrangeRatio || ratio < 1.0 / StrangeRatio;
@@ -387,19 +414,16 @@ void FrameTrials::FrameDrawn(std::optional<double> seconds)
   ++timing.frames;
   if (seconds)
   {
-    timing.seconds = timing.timed > 0 ? std::min(timing.seconds, *seconds) : *seconds;
+    timing.seconds = timing.seconds > 0.0 ? std::min(timing.seconds, *seconds) : *seconds;
     ++timing.timed;
-    // It has lost already.
-    for (std::size_t i = 0; i < this->Ways.size(); ++i)
+    if (timing.timed >= FramesCounted)
     {
-      if (i != this->Chosen && this->Timings[i].IsDone() && this->Ways[i].isRight &&
-        *seconds > 2.0 * this->Timings[i].seconds)
-      {
-        timing.timed = FramesCounted;
-      }
+      ++timing.rows;
+      timing.timed = 0;
+      timing.frames = 0;
+      this->Advance();
     }
   }
-  this->Advance();
 }
 
 //------------------------------------------------------------------------------
@@ -413,7 +437,7 @@ std::string Explain(const Reasons& reasons, const ShadowBudget& budget)
   }
   else if (reasons.error && reasons.error->isOfNothing)
   {
-    text += "none of the light falls on what is in view, so that nothing can be wrong";
+    text += "nothing in view that it lights could be measured";
   }
   else if (reasons.error)
   {

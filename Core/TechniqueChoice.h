@@ -121,7 +121,8 @@ struct FrameWay
 };
 
 // Which of several ways the coming frame is drawn by. The cheapest to be expected is first; each of
-// those that may be the fastest then draws a few frames, which are timed, and the choice is made.
+// those that may be the fastest then draws a few frames, which are timed, and those that are near
+// to the fastest a few more, later, so that what else a machine does for a while decides nothing.
 // It stays until the ways change, or until a frame now and then takes far longer or shorter.
 class FrameTrials
 {
@@ -146,10 +147,12 @@ private:
   struct Timing
   {
     int frames = 0; // drawn in a row, the first of which are not counted
-    int timed = 0;
+    int timed = 0;  // in this row
+    int rows = 0;   // that are done
     double seconds = 0.0;
-    bool IsDone() const;
   };
+  bool IsDone(std::size_t way) const;
+  double LeastSeconds() const;
   bool IsPromising(std::size_t way) const;
   std::size_t Best() const;
   void Advance();

@@ -305,7 +305,9 @@ public:
 
   bool IsKnown(const std::string& name) const
   {
-    return name == NoTechnique || name == AutoTechnique || this->Find(name);
+    // A technique that stands alone has no others to choose among.
+    return name == NoTechnique || (name == AutoTechnique && !this->Owned.empty()) ||
+      this->Find(name);
   }
 
   // The techniques that a view explains.
@@ -606,10 +608,15 @@ void vtkShadowPass::Internals::ReleaseWhatWasTried(vtkWindow* window)
   {
     for (vtkShadowTechniquePass* technique : this->Techniques)
     {
-      const bool isUsed = std::any_of(this->Plan.begin(), this->Plan.end(),
-        [&](const vtkShadowedShadingPass::LightPlan& entry)
-        { return entry.Technique == technique; });
-      if (!isUsed && !this->Chooser.MayUse(technique->GetTechniqueName()))
+      const std::string name = technique->GetTechniqueName();
+      const std::vector<vtkShadowScene::Light>& lights = this->Scene->GetLights();
+      const bool isNamed = std::any_of(lights.begin(), lights.end(),
+        [&](const vtkShadowScene::Light& light)
+        {
+          const std::string own = this->SettingsOf(light.Source).Technique;
+          return (own.empty() ? this->Default : own) == name;
+        });
+      if (!isNamed && !this->Chooser.MayUse(name))
       {
         technique->ReleaseGraphicsResources(window);
       }
@@ -820,8 +827,11 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   clock.EndFrame();
-  this->Internal->Chooser.FrameDrawn(
-    isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
+  if (!renderer->GetSelector())
+  {
+    this->Internal->Chooser.FrameDrawn(
+      isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
+  }
   if (shadowed)
   {
     if (this->Internal->DebugView != NoView)

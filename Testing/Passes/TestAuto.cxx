@@ -356,7 +356,8 @@ TEST_F(Auto, MovingLight)
     }
   }
   EXPECT_TRUE(this->Shadows->GetChoiceIsSettled());
-  CheckAtMost("changes of technique in 60 frames", changes, 5.0);
+  // Three ways are timed twice each, and then one is taken.
+  CheckAtMost("changes of technique in 60 frames", changes, 7.0);
   for (int i = 0; i < 3; ++i)
   {
     this->Render();

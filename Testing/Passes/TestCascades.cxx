@@ -366,6 +366,7 @@ TEST_F(Cascades, DrawnWhenStale)
   Check("maps drawn after a quarter turn", static_cast<double>(this->Drawn()), 3.0);
   const Frame turned = this->Render();
   vtkNew<vtkShadowPass> fresh;
+  fresh->SetTechnique("depth-map");
   fresh->GetDepthShadowMapPass()->SetResolution(1024);
   fresh->GetDepthShadowMapPass()->SetNumberOfCascades(4);
   this->Renderer->SetPass(fresh);

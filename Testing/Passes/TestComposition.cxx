@@ -402,6 +402,7 @@ TEST_F(Composition, TwoViewports)
   const Frame plain = this->Render();
 
   vtkNew<vtkShadowPass> ofRight;
+  ofRight->SetTechnique("depth-map");
   for (const bool shared : { false, true })
   {
     this->Renderer->SetPass(this->Shadows);
@@ -461,6 +462,7 @@ TEST_F(Composition, Layers)
   this->CheckCombination("layer below");
 
   vtkNew<vtkShadowPass> ofAbove;
+  ofAbove->SetTechnique("depth-map");
   above->SetPass(ofAbove);
   this->CheckCombination("layer below, with a pass above");
   above->SetPass(nullptr);

@@ -78,6 +78,7 @@ protected:
     Check(what + ": maps drawn", static_cast<double>(this->Drawn()), maps);
     const Frame frame = this->Render();
     vtkNew<vtkShadowPass> fresh;
+    fresh->SetTechnique("depth-map");
     fresh->GetDepthShadowMapPass()->SetResolution(1024);
     this->Renderer->SetPass(fresh);
     const Frame expected = this->Render();

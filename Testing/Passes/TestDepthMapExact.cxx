@@ -229,6 +229,7 @@ TEST_F(DepthMapExact, LightsThatComeAndGo)
   {
     const Frame frame = this->Render();
     vtkNew<vtkShadowPass> fresh;
+    fresh->SetTechnique("depth-map");
     fresh->GetDepthShadowMapPass()->SetFilter("exact");
     this->Renderer->SetPass(fresh);
     const Frame expected = this->Render();

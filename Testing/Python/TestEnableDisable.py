@@ -56,16 +56,16 @@ class TestEnableDisable(unittest.TestCase):
         self.assert_same(SCENE.frame(), before)
 
     def test_strength(self):
-        vtkshadows.enable(SCENE.renderer, strength=0)
+        vtkshadows.enable(SCENE.renderer, "depth-map", strength=0)
         self.assert_same(SCENE.frame(), self.before)
-        vtkshadows.enable(SCENE.renderer, strength=0.5)
+        vtkshadows.enable(SCENE.renderer, "depth-map", strength=0.5)
         dark = SCENE.pixel(*SHADOW)
         got, expected = int(SCENE.frame()[dark].max()), int(self.before[dark].max()) / 2
         print(f"half strength: got {got}, expected {expected}, tolerance 1.5")
         self.assertLessEqual(abs(got - expected), 1.5)
 
     def test_props_that_do_not_take_part(self):
-        vtkshadows.enable(SCENE.renderer)
+        vtkshadows.enable(SCENE.renderer, "depth-map")
         vtkshadows.set_casts_shadows(SCENE.sphere, False)
         self.assert_same(SCENE.frame(), self.before)
         vtkshadows.set_casts_shadows(SCENE.sphere, True)
@@ -76,7 +76,7 @@ class TestEnableDisable(unittest.TestCase):
         vtkshadows.set_receives_shadows(SCENE.floor, True)
 
     def test_stand_in(self):
-        vtkshadows.enable(SCENE.renderer)
+        vtkshadows.enable(SCENE.renderer, "depth-map")
         by_itself = SCENE.frame()
         speck = vtkSphereSource()
         speck.SetRadius(0.01)

@@ -18,7 +18,7 @@ class TestVisibility(unittest.TestCase):
                 SCENE.renderer.RemoveLight(light)
         SCENE.light.SwitchOn()
         vtkshadows.disable(SCENE.renderer)
-        vtkshadows.enable(SCENE.renderer)
+        vtkshadows.enable(SCENE.renderer, "depth-map")
         SCENE.window.Render()
 
     def check_mask(self, mask):
@@ -45,6 +45,22 @@ class TestVisibility(unittest.TestCase):
                 self.assert_shadow_at(mask, -1.5, -1.5)
                 for lit in ((1.5, 1.5), (-1.5, 1.5), (1.5, -1.5)):
                     self.assertEqual(mask[SCENE.pixel(*lit)], 1)
+
+    def test_auto_says_why(self):
+        vtkshadows.enable(SCENE.renderer, maximum_error=0.5)
+        SCENE.window.Render()
+        shadows = SCENE.renderer.GetPass()
+        self.assertEqual((shadows.GetTechnique(), shadows.GetMaximumError()), ("auto", 0.5))
+        why = vtkshadows.explanation(SCENE.renderer)
+        print(why)
+        self.assertTrue(why.startswith(shadows.GetChosenTechnique(SCENE.light)))
+        if shadows.GetRayCastShadowPass():
+            self.assertLessEqual(vtkshadows.error(SCENE.renderer).mismatch_percent, 0.5)
+        vtkshadows.enable(SCENE.renderer, "depth-map", maximum_error=0)
+        SCENE.window.Render()
+        self.assertEqual(vtkshadows.explanation(SCENE.renderer), "depth-map: named, not chosen.")
+        with self.assertRaisesRegex(ValueError, "light: 7 is out of range"):
+            vtkshadows.explanation(SCENE.renderer, 7)
 
     def test_none_is_lit_everywhere(self):
         vtkshadows.enable(SCENE.renderer, "none")

@@ -6,7 +6,7 @@ import os
 from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate
 
 KEYS = {
-    "technique", "light", "filter", "depth_bits", "receiver_pixels", "shadow_pixels", "mismatch_percent", "gross_pixels",
+    "technique", "light", "explanation", "filter", "depth_bits", "receiver_pixels", "shadow_pixels", "mismatch_percent", "gross_pixels",
     "gross_false_pixels", "gross_missed_pixels", "mean_absolute_difference", "frame_ms_unshadowed",
     "frame_ms_static", "frame_ms_moving", "ratio_static", "ratio_moving", "triangles", "vtk_version",
     "gl_renderer",
@@ -76,5 +76,17 @@ check("chosen techniques", [row["technique"] for row in rows], ["none", "depth-m
 check("without technique, the shadow is missed", rows[0]["mismatch_percent"] > 1, True)
 check("picture without technique is the unshadowed one",
       Image("one/none.png").rows == Image("one/unshadowed.png").rows, True)  # fmt: skip
+
+# Chosen ones are compared if asked for, and say why.
+out = succeed("compare", "plate.off", "-o", "auto", "--size", "80x60", "--frames", 1,
+              "--techniques", "auto,depth-map", "--max-error", 5, *FLOOR)  # fmt: skip
+with open("auto/comparison.json") as file:
+    rows = json.load(file)
+check("auto and a named one", [row["technique"] for row in rows], ["auto", "depth-map"])
+check("error of auto", rows[0]["mismatch_percent"] <= 5, True)
+names = ("depth-map", "planar", "stencil-volume", "ray-cast")
+check("explanation of auto", rows[0]["explanation"].startswith(names) and "5 %" in rows[0]["explanation"], True)
+check("explanation of a named one", rows[1]["explanation"], "depth-map: named, not chosen.")
+check("printed explanation", f"auto, light 0: {rows[0]['explanation']}" in out, True)
 
 finish()

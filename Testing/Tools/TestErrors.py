@@ -92,6 +92,9 @@ refused_option(["OpenGL driver"], "--size", "9999999x10", "at most")
 refused_option(["no technique"], "--technique", "photon", "depth-map")
 refused(["--techniques photon", "depth-map"], "compare", "mesh.off", "-o", "results",
         "--techniques", "depth-map,photon")  # fmt: skip
+refused_option(["no such budget"], "--max-error", "-1", "at most 100")
+refused_option(["no such budget"], "--max-error", "nan", "at most 100")
+refused_option(["no such budget"], "--max-frame-time", "0", "more than 0")
 refused_option(["less than 1"], "--resolution", "0", "1 or more")
 refused_option(["OpenGL driver"], "--resolution", "1000000", "at most")
 refused_option(["less than 1"], "--cascades", "0", "1 or more")

@@ -166,13 +166,25 @@ for y, share in ((0.31, 0), (-0.31, 1)):
           share * (plain.rows[row][column][0] - unlit), 1)  # fmt: skip
 
 # JSON names each light's own technique, and has the frame's times.
-succeed("render", *SCENE, "-o", "timed.png", "--json", "timed.json", "--frames", 2,
+succeed("render", *SCENE, "-o", "timed.png", "--technique", "depth-map", "--json", "timed.json", "--frames", 2,
         "--light", light, "--light", "directional:1,0,-1@technique=ray-cast")  # fmt: skip
 with open("timed.json") as file:
     rows = json.load(file)
 check("techniques in JSON", [row["technique"] for row in rows], ["depth-map", "ray-cast"])
 check("lights in JSON", [row["light"] for row in rows], [0, 1])
 check("times are positive", all(row["frame_ms_static"] > 0 for row in rows), True)
+
+# Left out, the technique is chosen, and why is printed and in the JSON.
+out = succeed("render", *SCENE, "-o", "chosen.png", "--visibility", "chosen.png", "--json", "chosen.json",
+              "--frames", 2, "--light", light, "--max-error", 1, "--max-frame-time", 1e6)  # fmt: skip
+with open("chosen.json") as file:
+    row = json.load(file)[0]
+check("technique that is left out", row["technique"], "auto")
+check("error within its budget", row["mismatch_percent"] <= 1, True)
+check("explanation says the budgets", "1 % wrong was asked for" in row["explanation"]
+      and "within the" in row["explanation"], True)  # fmt: skip
+check("explanation is printed", "light 0: " in out and "measured in this view" in out or "exact" in out, True)
+check("mask in the shadow, chosen", mask_at(Image("chosen-0.png"), 0, 1), 0)
 
 # Without a word.
 check("stdout under --quiet", succeed("render", *SCENE, "-o", "quiet.png", "--quiet"), "")
