@@ -106,8 +106,8 @@ glm::dvec4 FlatPlane(vtkPoints* points)
   const glm::dvec3 kept = 4.0 * RoundingUnitOf(points) * largest;
   const glm::dvec3 drawn = std::ldexp(1.0, -22) * glm::min(high - low, largest);
   const glm::dvec3 rounding = glm::abs(normal) * glm::max(kept, drawn);
-  const double tolerance = std::max({ rounding.x, rounding.y, rounding.z }) +
-    std::ldexp(glm::length(along), -50); // of the normal
+  const double tolerance =
+    rounding.x + rounding.y + rounding.z + std::ldexp(glm::length(along), -50); // of the normal
   for (vtkIdType i = 0; i < count; ++i)
   {
     if (!(std::abs(glm::dot(normal, PointOf(points, i) - origin)) <= tolerance))

@@ -55,7 +55,7 @@ void SetTechnique(vtkShadowPass* pass, const std::string& technique)
   const std::size_t blank = technique.find(' ');
   pass->SetTechnique(technique.substr(0, blank));
   pass->GetDepthShadowMapPass()->SetFilter(
-    blank == std::string::npos ? "hardware" : technique.substr(blank + 1));
+    blank == std::string::npos ? "percentage-closer" : technique.substr(blank + 1));
   pass->GetDepthShadowMapPass()->SetResolution(MapResolution);
   pass->GetObjectIDShadowPass()->SetResolution(MapResolution);
   pass->GetShadowTexturePass()->SetResolution(MapResolution);
