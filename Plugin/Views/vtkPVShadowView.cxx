@@ -44,6 +44,28 @@ void vtkPVShadowView::SetFilter(const char* name)
 }
 
 //----------------------------------------------------------------------------
+void vtkPVShadowView::SetNumberOfCascades(int number)
+{
+  this->Shadows->GetDepthShadowMapPass()->SetNumberOfCascades(number);
+  this->Shadows->GetObjectIDShadowPass()->SetNumberOfCascades(number);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetObjectDepths(bool combine)
+{
+  this->Shadows->GetObjectIDShadowPass()->SetCombineDepth(combine);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetTexturePerCaster(bool each)
+{
+  this->Shadows->GetShadowTexturePass()->SetTexturePerCaster(each);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
 void vtkPVShadowView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -44,6 +44,23 @@ public:
    */
   void SetFilter(const char* name);
 
+  /**
+   * Depth or object-ID maps of a directional light at most, 1 to 8 (default 1): see
+   * vtkMapShadowPass::SetNumberOfCascades.
+   */
+  void SetNumberOfCascades(int number);
+
+  /**
+   * Whether object-ID maps hold a depth beside each ID (default on); else no source shadows itself.
+   */
+  void SetObjectDepths(bool combine);
+
+  /**
+   * A shadow texture for each prop that casts (default off): see
+   * vtkShadowTexturePass::SetTexturePerCaster.
+   */
+  void SetTexturePerCaster(bool each);
+
 protected:
   vtkPVShadowView();
   ~vtkPVShadowView() override;

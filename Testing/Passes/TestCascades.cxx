@@ -210,7 +210,7 @@ TEST_F(Cascades, ShortenedByAMaximumDistance)
   SHADOWTEST_NEEDS_RAY_CAST();
   auto sun = this->AddCountry();
   this->Maps()->SetNumberOfCascades(3);
-  const double distances[] = { 0.0, 200.0 };
+  const double distances[] = { 0.0, 100.0 };
   std::size_t near = 0, wrong[2] = { 0, 0 };
   for (const double azimuth : { 20.0, 110.0, 200.0, 290.0 })
   {

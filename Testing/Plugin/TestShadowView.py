@@ -25,6 +25,9 @@ class TestShadowView(unittest.TestCase):
         VIEW.Technique = "none"
         VIEW.Resolution = 2048
         VIEW.Filter = "percentage-closer"
+        VIEW.Cascades = 1
+        VIEW.ObjectDepths = 1
+        VIEW.TexturePerCaster = 0
         VIEW.UseLight = 0
         VIEW.UseFXAA = 0
         self.light = add_light(VIEW)
@@ -86,6 +89,64 @@ class TestShadowView(unittest.TestCase):
                 different = int((frame != default).any(axis=2).sum())
                 print(f"pixels that {name} changes: got {different}, expected 1 or more")
                 self.assertGreaterEqual(different, 1)
+
+    def test_cascades(self):
+        """Beside the eye they are finer than one map of as many texels."""
+        place = [list(each) for each in (VIEW.CameraPosition, VIEW.CameraFocalPoint, VIEW.CameraViewUp)]
+        VIEW.CameraParallelProjection = 0
+        VIEW.CameraPosition, VIEW.CameraFocalPoint, VIEW.CameraViewUp = (-4, -4, 0.5), (0, 0, 0.5), (0, 0, 1)
+        VIEW.Resolution = 64
+        for technique in ("depth-map", "object-id"):
+            VIEW.Technique = technique
+            frames = []
+            for VIEW.Cascades in (1, 4):
+                frames.append(screenshot(VIEW, f"cascades-{VIEW.Cascades}"))
+            different = int((frames[0] != frames[1]).any(axis=2).sum())
+            print(f"pixels that cascades of {technique} change: got {different}, expected 20 or more")
+            self.assertGreaterEqual(different, 20)
+        VIEW.CameraPosition, VIEW.CameraFocalPoint, VIEW.CameraViewUp = place
+        VIEW.CameraParallelProjection = 1
+
+    def test_object_depths(self):
+        """Without them a source has no shadow on itself, not even of two pieces far apart."""
+        VIEW.Technique = "object-id"
+        VIEW.ObjectDepths = 0
+        self.assert_shadow(screenshot(VIEW, "objects-two"), self.unshadowed)
+        both = simple.AppendGeometry(Input=SOURCES)
+        for source in SOURCES:
+            simple.Hide(source, VIEW)
+        display = simple.Show(both, VIEW)
+        display.ColorArrayName = [None, ""]
+        display.DiffuseColor = (0.7, 0.7, 0.7)
+        display.Specular = 0
+        try:
+            VIEW.Technique = "none"
+            unshadowed = screenshot(VIEW, "objects-none")
+            VIEW.Technique = "object-id"
+            alone = screenshot(VIEW, "objects-one")
+            change = abs(near(alone, *SHADOW) - near(unshadowed, *SHADOW)).max()
+            print(f"as one source: got a change of {change} in the shadow, expected 0, tolerance 1")
+            self.assertLessEqual(change, 1)
+            VIEW.ObjectDepths = 1
+            self.assert_shadow(screenshot(VIEW, "objects-depths"), unshadowed)
+        finally:
+            simple.Delete(both)
+            for source in SOURCES:
+                simple.Show(source, VIEW)
+
+    def test_texture_per_caster(self):
+        """A sphere takes the shadow of another, between it and the light."""
+        upper = simple.Sphere(Center=(0.6, 0.6, 2.1), Radius=0.2, ThetaResolution=48, PhiResolution=48)
+        simple.Show(upper, VIEW)
+        try:
+            VIEW.Technique = "shadow-texture"
+            frames = []
+            for VIEW.TexturePerCaster in (0, 1):
+                frames.append(near(screenshot(VIEW, f"textures-{VIEW.TexturePerCaster}"), 0.23, 0.23))
+            print(f"on the lower sphere: got {frames[1].max()}, expected under half of {frames[0].min()}")
+            self.assertLess(frames[1].max(), frames[0].min() / 2)
+        finally:
+            simple.Delete(upper)
 
     def test_spot_light(self):
         self.light.Type = "Positional"
