@@ -106,7 +106,7 @@ function drawScene(parent, rows, soft, time) {
   const floor = soft ? 1e-5 : 50 / Math.max(pixels, 1);
   const points = pointsOf(rows, measure, time, floor);
   const [left, right] = range([...points.map(p => p.x), 1], 1.15);
-  const [low, high] = range(points.map(p => p.y).concat([floor]), 1.5);
+  const [low, high] = range(points.map(p => p.y), 1.5);
   const datasets = [];
   for (const technique of Object.keys(looks)) {
     const own = points.filter(p => p.technique === technique);
@@ -127,6 +127,7 @@ function drawScene(parent, rows, soft, time) {
     logAxis(`frame time over that without shadows (${number(unshadowed)} ms), the light ` +
       (time === "moving" ? "moving" : "still"), left, right),
     logAxis(what, low, high));
+  if (points.every(p => p.y > floor)) return;
   element("p", parent, soft ? "Differences below 0.00001 are drawn at it."
     : `Settings without a wrong pixel are drawn at half a pixel, ${number(floor)} %.`, { className: "quiet" });
 }

@@ -160,11 +160,20 @@ std::string PlanKey(const Options& options)
   std::ostringstream key;
   key << "window " << window.width << "x" << window.height << ", detail " << size.detail
       << ", triangles of the crowd " << size.triangles << ", truth by " << TruthSamples(bench)
-      << " samples, timing " << timing.rounds << " rounds or " << timing.seconds << " s, statue '"
-      << size.mesh << "', volume '" << size.volume << "', inputs";
+      << " samples, timing ";
+  if (timing.rounds > 0)
+  {
+    key << timing.rounds << " rounds";
+  }
+  else
+  {
+    key << timing.seconds << " s";
+  }
+  key << (size.mesh.empty() ? "" : ", statue " + size.mesh)
+      << (size.volume.empty() ? "" : ", volume " + size.volume);
   for (const std::string& input : options.inputs)
   {
-    key << " '" << input << "'";
+    key << ", input " << input;
   }
   return key.str();
 }

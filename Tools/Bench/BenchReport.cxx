@@ -57,7 +57,7 @@ Json FitsOf(const std::vector<Json>& rows)
     fit["exponent"] = law.points ? Json(law.exponent) : nullptr;
     fit["exponent_error"] = law.points > 2 ? Json(law.exponentError) : nullptr;
     fit["factor_ms"] = law.points ? Json(law.factor) : nullptr;
-    fit["points"] = law.points;
+    fit["points"] = points.values.size();
     fit["left_out"] = points.leftOut;
     fits.push_back(fit);
   }

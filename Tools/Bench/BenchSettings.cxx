@@ -229,7 +229,7 @@ std::vector<BenchSetting> BenchSettings()
     DepthMap("none", 2048),
     DepthMap("hardware", 2048),
     DepthMap("disc", 2048),
-    Fast(DepthMap("variance", 2048)),
+    DepthMap("variance", 2048),
     DepthMap("exponential", 2048),
     DepthMap("exact", 512),
     DepthMap("exact", 1024),
