@@ -2,6 +2,7 @@
 
     PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a /usr/bin/python3 Benchmark/auto_choice.py
     ... Benchmark/auto_choice.py --scenes scan,lot-3 --budgets 0,0.1 --rounds 20
+    ... Benchmark/auto_choice.py --scenes lot-1,lot-2,lot-3 --rounds 0 --size 640x480   # errors alone
 
 Scenes: those of ground_floor.py, a terrain, and scenes by lot (lot-N, N the seed): a floor, some of spheres, cones,
 cubes and a soup of slivers, one to three lights of any kind, a view. Budgets: percent; 0: no gross error.
@@ -27,6 +28,7 @@ from ground_floor import (
     mesh_actor,
     place_camera,
     scan,
+    size_of,
     spot_light,
     still_life,
     switched_on,
@@ -170,6 +172,21 @@ def settle(window, shadows, step):
     window.Render()
 
 
+def settle_both(renderer, window, shadows):
+    """The choice while the lights stand, and while they move."""
+    motion = Motion(renderer)
+    settle(window, shadows, motion.camera)
+    for _ in range(LEAD):
+        motion.lights()
+        window.Render()
+    settle(window, shadows, motion.lights)
+    motion.lights(0)
+    for _ in range(LEAD):
+        motion.camera()
+        window.Render()
+    settle(window, shadows, motion.camera)
+
+
 def times_of(renderer, window, ways, rounds):
     """{way: ((static wall, cpu), (moving wall, cpu))}, frames in turn."""
     motion = Motion(renderer)
@@ -190,11 +207,11 @@ def times_of(renderer, window, ways, rounds):
     return {name: tuple(least(each) for each in both) for name, both in frames.items()}
 
 
-def views_around(renderer, window, shadows, budget):
+def views_around(renderer, window, shadows, budget, views):
     """The largest error of auto in views around the scene, by the budget's figure, and how many miss it."""
     renderer.SetPass(shadows)
     camera = renderer.GetActiveCamera()
-    worst, missed, views = 0.0, 0, 12
+    worst, missed = 0.0, 0
     for _ in range(views):
         camera.Azimuth(360 / views)
         renderer.ResetCameraClippingRange()
@@ -208,7 +225,9 @@ def views_around(renderer, window, shadows, budget):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--mesh", type=pathlib.Path, default=ROOT / "build/demo/refined_elephant.off")
-    parser.add_argument("--rounds", type=int, default=8)
+    parser.add_argument("--rounds", type=int, default=8, help="0: no times")
+    parser.add_argument("--views", type=int, default=12)
+    parser.add_argument("--size", type=size_of, default=(1024, 768), help="WxH")
     parser.add_argument("--scenes", default="still-life,scan,tubes-and-glyphs,terrain,lot-1,lot-2,lot-3,lot-4")
     parser.add_argument("--budgets", default="0,1,0.1,0.01")
     parser.add_argument("--explain", action="store_true", help="print why, for each light")
@@ -220,17 +239,17 @@ def main():
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    window.SetSize(1024, 768)
+    window.SetSize(*options.size)
     print(
         "| scene | budget % | auto, static | auto, moving | best, static | best, moving | static: wall, CPU "
-        "| moving: wall, CPU | error % in the view | largest of 12 views | views missed |\n|" + "---|" * 11
+        "| moving: wall, CPU | error % in the view | largest of the views | views missed |\n|" + "---|" * 11
     )
     for name in options.scenes.split(","):
         renderer = scene_of(name, options.mesh)
         window.AddRenderer(renderer)
         window.Render()
         fixed, errors = {}, {}
-        for way, (technique, settings) in FIXED.items():
+        for way, (technique, settings) in FIXED.items() if options.rounds else ():
             fixed[way] = vtkshadows.enable(renderer, technique, **settings)
             window.Render()
             errors[way] = errors_of(renderer)
@@ -238,21 +257,14 @@ def main():
         chosen = {}
         for budget in budgets:
             shadows = vtkshadows.enable(renderer, "auto", maximum_error=budget)
-            motion = Motion(renderer)
-            settle(window, shadows, motion.camera)
-            for _ in range(LEAD):
-                motion.lights()
-                window.Render()
-            settle(window, shadows, motion.lights)
-            motion.lights(0)
-            settle(window, shadows, motion.camera)
-            settle(window, shadows, motion.camera)
+            if options.rounds:
+                settle_both(renderer, window, shadows)
             chosen[budget] = shadows
             renderer.SetPass(None)
         right = {way for budget in budgets for way in fixed if keeps(errors[way], budget)}
         ways = {way: fixed[way] for way in right}
         ways.update({budget: chosen[budget] for budget in budgets})
-        times = times_of(renderer, window, ways, options.rounds)
+        times = times_of(renderer, window, ways, options.rounds) if options.rounds else {}
         for budget in budgets:
             shadows = chosen[budget]
             renderer.SetPass(shadows)
@@ -275,15 +287,16 @@ def main():
                 for light in switched_on(renderer):
                     print("   ", shadows.GetExplanation(light))
             competing = [way for way in fixed if keeps(errors[way], budget)]
-            best = [min(competing, key=lambda way: times[way][kind][0]) for kind in (0, 1)]
+            best = [min(competing, key=lambda way: times[way][kind][0], default="-") for kind in (0, 1)]
             ratios = [
+                "-" if not times else
                 ", ".join(
                     f"{times[budget][kind][clock] / min(times[way][kind][clock] for way in competing):.2f}"
                     for clock in (0, 1)
                 )
                 for kind in (0, 1)
             ]
-            worst, missed = views_around(renderer, window, shadows, budget)
+            worst, missed = views_around(renderer, window, shadows, budget, options.views)
             print(
                 f"| {name} | {budget or 'no gross'} | {taken[0]} | {taken[1]} | {best[0]} | {best[1]} "
                 f"| {ratios[0]} | {ratios[1]} | {own[0] if budget else own[1]:.4f} | {worst:.4f} | {missed} |",

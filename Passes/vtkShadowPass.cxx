@@ -81,7 +81,7 @@ constexpr double GrossDistance = 2.0;
 
 // Rays that a choice traces for one measure: enough for one gross pixel in 100 000 to be seen, and
 // a small part of a second. Lights share them, down to so many pixels each.
-constexpr double MeasuredRays = 5.0e5;
+constexpr double MeasuredRays = 1.0e6;
 constexpr double MeasuredRaysOfBudget = 4.0e6; // where a budget of error is held against it
 constexpr double LeastMeasuredPixels = 3.0e4;
 

@@ -110,7 +110,7 @@ public:
    *
    * What is right by construction in a scene (planar shadows where all that receives is flat,
    * shadow volumes where all that casts is triangles, rays) is taken for right. The error of depth
-   * maps is measured beside the frame, at up to half a million rays: at the first frame, and again
+   * maps is measured beside the frame, at up to a million rays: at the first frame, and again
    * once view, lights or casters are clearly others. In the first frames what may be the fastest is
    * drawn a few times each; all of it keeps to the budget of error. In a frame where lights or
    * casters move another choice may hold. Of the depth map's settings, resolution, cascades and
