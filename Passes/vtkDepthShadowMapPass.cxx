@@ -491,7 +491,16 @@ bool vtkDepthShadowMapPass::ReserveMaps(
   if (!isRamp && !this->IsBlurred())
   {
     my.Moments.Release();
-    if (this->HasDistances())
+    // The map of a parallel view holds distances as it is drawn.
+    const auto& slots = this->GetViews().GetSlots();
+    const bool needsDepths = this->HasDistances() &&
+      std::any_of(slots.begin(), slots.end(),
+        [](const vtkShadowMapSlot& slot)
+        {
+          return std::any_of(slot.Views.begin(), slot.Views.end(),
+            [](const vtkShadowMapView& view) { return !view.View.parallel; });
+        });
+    if (needsDepths)
     {
       my.Depths.Reserve(frame.Window, Format::Depth32F, width, height, 1);
     }
@@ -512,7 +521,7 @@ bool vtkDepthShadowMapPass::ReserveMaps(
     {
       my.Triangles.Release();
     }
-    if (this->HasDistances() && !my.Depths.Id())
+    if (needsDepths && !my.Depths.Id())
     {
       my.Maps.Release();
     }
