@@ -38,6 +38,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -68,32 +69,54 @@ double RoundingUnitOf(vtkPoints* points)
   return std::ldexp(1.0, points && points->GetDataType() == VTK_FLOAT ? -24 : -53);
 }
 
-// The plane through all of `points`, to the rounding of the numbers that they are kept in and of
-// the floats that they are drawn in, about their middle; n = 0 if there is none.
-glm::dvec4 FlatPlane(vtkPoints* points)
+// Calls use(p) for each point, in order.
+template <typename Use>
+void ForEachPoint(const std::vector<vtkPoints*>& sets, const Use& use)
 {
-  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
+  for (vtkPoints* points : sets)
+  {
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      use(PointOf(points, i));
+    }
+  }
+}
+
+// The plane through all points of `sets`, to the rounding of the numbers that they are kept in and
+// of the floats that they are drawn in, about their middle; n = 0 if there is none.
+glm::dvec4 FlatPlane(const std::vector<vtkPoints*>& sets)
+{
+  vtkIdType count = 0;
+  double unit = 0.0;
+  for (vtkPoints* points : sets)
+  {
+    count += points->GetNumberOfPoints();
+    unit = std::max(unit, RoundingUnitOf(points));
+  }
   if (count < 3)
   {
     return glm::dvec4(0.0);
   }
 
   // Span the plane by the point farthest from the first, and the one farthest from that line.
-  const glm::dvec3 origin = PointOf(points, 0);
+  const auto first = std::find_if(
+    sets.begin(), sets.end(), [](vtkPoints* points) { return points->GetNumberOfPoints() > 0; });
+  const glm::dvec3 origin = PointOf(*first, 0);
   glm::dvec3 along(0.0), across(0.0), largest(0.0), low(origin), high(origin);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const glm::dvec3 p = PointOf(points, i);
-    along = glm::length(p - origin) > glm::length(along) ? p - origin : along;
-    largest = glm::max(largest, glm::abs(p));
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const glm::dvec3 normal = glm::cross(along, PointOf(points, i) - origin);
-    across = glm::length(normal) > glm::length(across) ? normal : across;
-  }
+  ForEachPoint(sets,
+    [&](const glm::dvec3& p)
+    {
+      along = glm::length(p - origin) > glm::length(along) ? p - origin : along;
+      largest = glm::max(largest, glm::abs(p));
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    });
+  ForEachPoint(sets,
+    [&](const glm::dvec3& p)
+    {
+      const glm::dvec3 normal = glm::cross(along, p - origin);
+      across = glm::length(normal) > glm::length(across) ? normal : across;
+    });
   const double length = glm::length(across);
   if (!(length > 0.0) || !std::isfinite(length))
   {
@@ -103,19 +126,45 @@ glm::dvec4 FlatPlane(vtkPoints* points)
   const glm::dvec3 normal = across / length;
   // Each coordinate is rounded by itself: in a mesh that its matrix scales unevenly they are
   // unlike.
-  const glm::dvec3 kept = 4.0 * RoundingUnitOf(points) * largest;
+  const glm::dvec3 kept = 4.0 * unit * largest;
   const glm::dvec3 drawn = std::ldexp(1.0, -22) * glm::min(high - low, largest);
   const glm::dvec3 rounding = glm::abs(normal) * glm::max(kept, drawn);
   const double tolerance =
     rounding.x + rounding.y + rounding.z + std::ldexp(glm::length(along), -50); // of the normal
-  for (vtkIdType i = 0; i < count; ++i)
+  bool isFlat = true;
+  ForEachPoint(sets,
+    [&](const glm::dvec3& p)
+    { isFlat = isFlat && std::abs(glm::dot(normal, p - origin)) <= tolerance; });
+  return isFlat ? glm::dvec4(normal, glm::dot(normal, origin)) : glm::dvec4(0.0);
+}
+
+// The points of a polygonal mesh, or of all blocks of several, hidden or not; empty where anything
+// else is among them.
+std::vector<vtkPoints*> PointSetsOf(vtkDataObject* data)
+{
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
-    if (!(std::abs(glm::dot(normal, PointOf(points, i) - origin)) <= tolerance))
+    return mesh->GetPoints() ? std::vector<vtkPoints*>{ mesh->GetPoints() }
+                             : std::vector<vtkPoints*>{};
+  }
+  std::vector<vtkPoints*> sets;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      return glm::dvec4(0.0);
+      auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
+      if (!block)
+      {
+        return {};
+      }
+      if (block->GetPoints())
+      {
+        sets.push_back(block->GetPoints());
+      }
     }
   }
-  return { normal, glm::dot(normal, origin) };
+  return sets;
 }
 
 glm::dvec4 TransformPlane(const glm::dmat4& worldFromModel, const glm::dvec4& planeMC)
@@ -404,21 +453,20 @@ void vtkShadowScene::Internals::GatherLights(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 glm::dvec4 vtkShadowScene::Internals::PlaneOf(vtkMapper* mapper)
 {
-  auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
-  vtkPolyData* mesh = polyMapper && !mapper->IsA("vtkCompositePolyDataMapper") &&
-      !mapper->IsA("vtkOpenGLSphereMapper") && !mapper->IsA("vtkOpenGLStickMapper")
-    ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))
-    : nullptr;
-  if (!mesh)
+  const bool drawsSurfaces =
+    (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
+    !mapper->IsA("vtkOpenGLSphereMapper") && !mapper->IsA("vtkOpenGLStickMapper");
+  vtkDataObject* data = drawsSurfaces ? mapper->GetInputDataObject(0, 0) : nullptr;
+  if (!data)
   {
     return glm::dvec4(0.0);
   }
   KnownPlane& known = this->Planes[mapper];
-  const vtkMTimeType stamp = std::max(mesh->GetMTime(), mapper->GetMTime());
+  const vtkMTimeType stamp = std::max(DeepMTime(data), mapper->GetMTime());
   if (known.Stamp != stamp)
   {
     known.Stamp = stamp;
-    known.PlaneMC = FlatPlane(mesh->GetPoints());
+    known.PlaneMC = FlatPlane(PointSetsOf(data));
   }
   return known.PlaneMC;
 }
@@ -445,7 +493,10 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
     const glm::dvec4 cornerMC(
       bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)], 1.0);
     piece.CornersWC[i] = glm::dvec3(piece.WorldFromModel * cornerMC);
-    if (!std::isfinite(glm::dot(piece.CornersWC[i], glm::dvec3(1.0))))
+    // Lengths are squared in floats.
+    const double most = std::sqrt(std::numeric_limits<float>::max());
+    const glm::dvec3 reach = glm::abs(piece.CornersWC[i]);
+    if (!(std::max({ reach.x, reach.y, reach.z }) < most))
     {
       this->Unbounded.insert(prop.Source);
       return;
@@ -609,8 +660,9 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
     {
       vtkWarningMacro("The prop "
         << prop->GetClassName() << " (" << prop
-        << ") has bounds that are not finite: what of it has none casts no shadow. Remove its "
-           "points that are infinite, or repair its matrix.");
+        << ") has bounds that are not finite, or too large for OpenGL's floats (from 1.8e19 on): "
+           "what of it has none casts no shadow. Remove its points that are so far, or repair its "
+           "matrix.");
     }
   }
   for (vtkProp* prop : this->Internal->Unfit)

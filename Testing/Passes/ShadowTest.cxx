@@ -3,6 +3,10 @@
 #include "vtkShadowErrorMeasure.h"
 #include "vtkShadowOpenGL.h"
 
+#include <vtkCompositePolyDataMapper.h>
+#if __has_include(<vtkCompositePolyDataMapper2.h>)
+#include <vtkCompositePolyDataMapper2.h>
+#endif
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLogger.h>
@@ -89,6 +93,18 @@ bool CheckAtLeast(const std::string& what, double got, double limit)
     what.c_str(), got, limit);
   EXPECT_TRUE(holds) << what << ": got " << got << ", expected at least " << limit;
   return holds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkMapper>> CompositeMappers()
+{
+  std::vector<vtkSmartPointer<vtkMapper>> mappers{
+    vtkSmartPointer<vtkCompositePolyDataMapper>::New()
+  };
+#if __has_include(<vtkCompositePolyDataMapper2.h>)
+  mappers.push_back(vtkSmartPointer<vtkCompositePolyDataMapper2>::New());
+#endif
+  return mappers;
 }
 
 //------------------------------------------------------------------------------

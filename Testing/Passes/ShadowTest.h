@@ -12,6 +12,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -77,6 +78,9 @@ Pixel PixelOf(vtkRenderer* renderer, const glm::dvec3& pointWC);
 
 //------------------------------------------------------------------------------
 // Parts of a scene.
+// Mappers of this VTK for composite data: one draws each block by a mapper of its own, another many
+// blocks by one.
+std::vector<vtkSmartPointer<vtkMapper>> CompositeMappers();
 using vtkshadows::scenes::AddActor;
 using vtkshadows::scenes::AddBox;
 using vtkshadows::scenes::AddFloor;

@@ -480,6 +480,20 @@ TEST_F(Errors, BoundsThatAreNotFinite)
   }
 }
 
+// Lengths of it, squared, are no floats any more.
+TEST_F(Errors, BoundsTooLargeForFloats)
+{
+  this->AddScene();
+  auto ball = AddSphere(this->Renderer, { -2.0, 0.0, 1.0 }, 0.4);
+  ball->SetPosition(0.0, 1.0e30, 0.0);
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
+  {
+    this->Shadows->SetTechnique(technique);
+    this->CheckShadowed(technique + ", the others", this->Render());
+  }
+  ExpectOneMessage({ "vtkShadowScene", "too large for OpenGL's floats", "matrix" });
+}
+
 // Lights that point nowhere, and scales of nothing.
 TEST_F(Errors, DegenerateLightsAndMatrices)
 {

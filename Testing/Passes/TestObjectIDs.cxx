@@ -7,10 +7,6 @@
 #include "vtkShadowErrorMeasure.h"
 
 #include <vtkAppendPolyData.h>
-#include <vtkCompositePolyDataMapper.h>
-#if __has_include(<vtkCompositePolyDataMapper2.h>)
-#include <vtkCompositePolyDataMapper2.h>
-#endif
 #include <vtkCubeSource.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkIntArray.h>
@@ -275,18 +271,6 @@ vtkSmartPointer<vtkPolyData> MadeBy(vtkAlgorithm* source, const glm::dvec3& plac
   moved->SetInputConnection(source->GetOutputPort());
   moved->Update();
   return moved->GetOutput();
-}
-
-// Those of this VTK: one draws each block by a mapper of its own, the other many blocks by one.
-std::vector<vtkSmartPointer<vtkMapper>> CompositeMappers()
-{
-  std::vector<vtkSmartPointer<vtkMapper>> mappers{
-    vtkSmartPointer<vtkCompositePolyDataMapper>::New()
-  };
-#if __has_include(<vtkCompositePolyDataMapper2.h>)
-  mappers.push_back(vtkSmartPointer<vtkCompositePolyDataMapper2>::New());
-#endif
-  return mappers;
 }
 
 // Convex bodies that hang over each other, of different kinds of points and cells.

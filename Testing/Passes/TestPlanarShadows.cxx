@@ -667,6 +667,39 @@ TEST_F(PlanarShadows, MixesWithOtherTechniques)
   this->CheckMeasure("spot, depth-map", spot, 0.1, 0.005);
 }
 
+// As ParaView draws every surface. What lies in one plane is one, in however many blocks.
+TEST_F(PlanarShadows, FlatComposites)
+{
+  AddSphere(this->Renderer, { 0.0, 0.0, 1.0 }, 0.5);
+  this->EachProp([](vtkProp* prop) { vtkShadowPass::SetReceivesShadows(prop, false); });
+  auto sun = AddSun(this->Renderer, { -0.5, 0.4, -1.0 });
+  LookAt(this->Renderer, { 1.0, -7.0, 4.0 }, { 0.0, 0.0, 0.4 });
+  for (const vtkSmartPointer<vtkMapper>& mapper : CompositeMappers())
+  {
+    const std::string name = mapper->GetClassName();
+    vtkNew<vtkMultiBlockDataSet> blocks, inner;
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkNew<vtkPlaneSource> plane;
+      plane->SetOrigin(i - 2.0, -2.0, 0.0);
+      plane->SetPoint1(i - 1.0, -2.0, 0.0);
+      plane->SetPoint2(i - 2.0, 2.0, 0.0);
+      plane->SetResolution(60, 60); // more cells than sides are looked for among
+      plane->Update();
+      (i < 2 ? blocks : inner)->SetBlock(static_cast<unsigned int>(i), plane->GetOutput());
+    }
+    blocks->SetBlock(2, inner);
+    mapper->SetInputDataObject(blocks);
+    vtkNew<vtkActor> floor;
+    floor->SetMapper(mapper);
+    this->Renderer->AddActor(floor);
+    this->CheckHard(name, sun);
+    CheckAtLeast(
+      name + ": pixels in shadow", double(this->VisibilityOf(sun).CountShadowed()), 500.0);
+    this->Renderer->RemoveActor(floor);
+  }
+}
+
 TEST_F(PlanarShadows, TooManyPlanes)
 {
   for (int i = 0; i < 5; ++i)

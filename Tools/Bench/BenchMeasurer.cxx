@@ -26,6 +26,9 @@ namespace vtkshadows
 namespace
 {
 
+// Until "auto" must have made its choice.
+constexpr int MostFramesOfChoice = 200;
+
 std::string NameOf(LightKind kind)
 {
   return kind == LightKind::Directional ? "directional"
@@ -220,6 +223,10 @@ void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
     setting.apply(this->stage.Shadows());
   }
   this->stage.Window().Render();
+  if (setting.technique == "auto")
+  {
+    row["explanations"] = this->SettleChoice();
+  }
   row["errors"] = withErrors ? this->ErrorsOf(run, peer) : BenchJson::array();
 
   this->stage.UsePass(peer);
@@ -239,6 +246,22 @@ void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
   {
     peer->ReleaseGraphicsResources(this->stage.Renderer()->GetVTKWindow());
   }
+}
+
+// Frames until "auto" has chosen; what it says of each light.
+BenchJson BenchMeasurer::SettleChoice()
+{
+  vtkShadowPass* shadows = this->stage.Shadows();
+  for (int i = 0; i < MostFramesOfChoice && !shadows->GetChoiceIsSettled(); ++i)
+  {
+    this->stage.Window().Render();
+  }
+  BenchJson explanations = BenchJson::array();
+  for (vtkLight* light : this->stage.Lights())
+  {
+    explanations.push_back(shadows->GetExplanation(light));
+  }
+  return explanations;
 }
 
 BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)

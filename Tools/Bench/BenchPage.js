@@ -9,7 +9,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 // Okabe and Ito's palette (2008), and a shape of its own for each.
 const looks = {
   "none": ["#999999", "crossRot"], "depth-map": ["#0072B2", "circle"], "object-id": ["#56B4E9", "rect"],
-  "shadow-texture": ["#009E73", "rectRot"], "planar": ["#E69F00", "triangle"],
+  "auto": ["#F0E442", "circle"], "shadow-texture": ["#009E73", "rectRot"], "planar": ["#E69F00", "triangle"],
   "stencil-volume": ["#D55E00", "star"], "ray-cast": ["#000000", "cross"], "vtk-shadow-map": ["#CC79A7", "rectRounded"],
 };
 const lookOf = technique => looks[technique] || ["#555555", "circle"];
