@@ -206,7 +206,7 @@ CLI::App* AddBench(CLI::App& app, RawOptions& raw)
   command->add_flag("--list", bench.list, "say the names of scenes and settings, and no more");
   command
     ->add_option("--seconds", bench.seconds,
-      "of timing, for each setting and scene, at least 3 rounds; default: 2, fast 0.3")
+      "of timing, for each setting and scene, at least 3 rounds; default: 2, fast 0.2")
     ->type_name("S");
   command->add_option("--frames", raw.frames, "rounds of timing, whatever they take")
     ->type_name("N");

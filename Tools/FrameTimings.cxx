@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -25,6 +26,10 @@ namespace
 
 constexpr int DefaultRounds = 15;
 constexpr int FewestRounds = 3;
+
+// For "auto" to notice what moves, and to make its choice.
+constexpr int FewestFramesOfChoice = 4;
+constexpr int MostFramesOfChoice = 200;
 
 // Of one frame. The camera swings to and fro by degrees; lights circle by a share of the scene.
 constexpr double CameraStep = 0.4;
@@ -209,19 +214,42 @@ double RoundSeconds(const Round& round)
   return 0.001 * (2.0 * round.unshadowed + 2.0 * round.still + round.moving);
 }
 
+int CountOf(const TimingPlan& plan, const Round& warmUp)
+{
+  if (plan.rounds > 0)
+  {
+    return plan.rounds;
+  }
+  return plan.seconds > 0.0 ? static_cast<int>(std::clamp(plan.seconds / RoundSeconds(warmUp),
+                                double(FewestRounds), double(DefaultRounds)))
+                            : RoundsFor(warmUp);
+}
+
 class Rounds
 {
 public:
   void Add(const Round& round)
   {
     this->unshadowed.push_back(round.unshadowed);
+    this->AddStill(round);
+    this->AddMoving(round);
+  }
+
+  void AddStill(const Round& round)
+  {
     this->still.push_back(round.still);
-    this->moving.push_back(round.moving);
     this->stillRatio.push_back(round.still / round.unshadowed);
-    this->movingRatio.push_back(round.moving / round.unshadowed);
     this->stillCost.push_back(round.still - round.unshadowed);
+  }
+
+  void AddMoving(const Round& round)
+  {
+    this->moving.push_back(round.moving);
+    this->movingRatio.push_back(round.moving / round.unshadowed);
     this->movingCost.push_back(round.moving - round.unshadowed);
   }
+
+  void AddUnshadowed(double milliseconds) { this->unshadowed.push_back(milliseconds); }
 
   FrameTimings Medians() const
   {
@@ -244,12 +272,80 @@ private:
   std::vector<double> stillRatio, movingRatio, stillCost, movingCost;
 };
 
+bool HasChoice(Stage& stage)
+{
+  vtkShadowPass* shadows = stage.Shadows();
+  return std::any_of(stage.Lights().begin(), stage.Lights().end(),
+    [shadows](vtkLight* light) { return shadows->GetLightTechnique(light) == "auto"; });
+}
+
+// Frames until "auto" has chosen; `move` comes before each.
+void Settle(Stage& stage, const std::function<void()>& move)
+{
+  stage.ShowShadows(true);
+  for (int i = 0; i < MostFramesOfChoice; ++i)
+  {
+    move();
+    stage.Window().Render();
+    if (i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled())
+    {
+      return;
+    }
+  }
+}
+
+// "auto" chooses otherwise while lights move: frames of each kind in a row of their own, once the
+// choice is made, and turn by turn with those without shadows.
+void TimeChoice(
+  Stage& stage, MovingStage& motion, const TimingPlan& plan, Rounds& rounds, Progress& progress)
+{
+  const auto swing = [&motion]() { motion.SwingCamera(); };
+  const auto circle = [&motion]() { motion.CircleLights(); };
+  const auto pair = [&stage, &motion, &swing](const std::function<void()>& move)
+  {
+    Round round;
+    stage.ShowShadows(false);
+    swing();
+    stage.Window().Render();
+    swing();
+    round.unshadowed = RenderMilliseconds(stage);
+    stage.ShowShadows(true);
+    move();
+    stage.Window().Render();
+    move();
+    round.still = round.moving = RenderMilliseconds(stage);
+    return round;
+  };
+  Settle(stage, swing);
+  const int count = CountOf(plan, pair(swing));
+  for (int i = 0; i < count; ++i)
+  {
+    progress.Update(0.5 * i / count);
+    const Round round = pair(swing);
+    rounds.AddUnshadowed(round.unshadowed);
+    rounds.AddStill(round);
+  }
+  motion.RestCamera();
+  Settle(stage, circle);
+  for (int i = 0; i < count; ++i)
+  {
+    progress.Update(0.5 + 0.5 * i / count);
+    rounds.AddMoving(pair(circle));
+  }
+  motion.RestLights();
+}
+
 }
 
 FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress)
 {
   MovingStage motion(stage);
   Rounds rounds;
+  if (HasChoice(stage))
+  {
+    TimeChoice(stage, motion, plan, rounds, progress);
+    return rounds.Medians();
+  }
   if (plan.rounds == 0 && plan.seconds > 0.0)
   {
     stage.ShowShadows(true);
@@ -261,13 +357,7 @@ FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress
   }
   TimeRound(stage, motion);
   const Round warmUp = TimeRound(stage, motion);
-  int count = plan.rounds;
-  if (count == 0)
-  {
-    count = plan.seconds > 0.0 ? static_cast<int>(std::clamp(plan.seconds / RoundSeconds(warmUp),
-                                   double(FewestRounds), double(DefaultRounds)))
-                               : RoundsFor(warmUp);
-  }
+  const int count = CountOf(plan, warmUp);
   for (int i = 0; i < count; ++i)
   {
     progress.Update(static_cast<double>(i) / count);

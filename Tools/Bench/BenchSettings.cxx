@@ -261,7 +261,7 @@ std::vector<BenchSetting> BenchSettings()
     Fast(Peer(2048)),
     Peer(4096),
     Soft(DepthMap("percentage-closer", 2048)),
-    Fast(Soft(Plain("auto"))),
+    Soft(Plain("auto")),
     Fast(Soft(DepthMap("soft", 2048))),
     SoftDepthMap(16),
     SoftDepthMap(64),
