@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -279,21 +278,6 @@ bool HasChoice(Stage& stage)
     [shadows](vtkLight* light) { return shadows->GetLightTechnique(light) == "auto"; });
 }
 
-// Frames until "auto" has chosen; `move` comes before each.
-void Settle(Stage& stage, const std::function<void()>& move)
-{
-  stage.ShowShadows(true);
-  for (int i = 0; i < MostFramesOfChoice; ++i)
-  {
-    move();
-    stage.Window().Render();
-    if (i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled())
-    {
-      return;
-    }
-  }
-}
-
 // "auto" chooses otherwise while lights move: frames of each kind in a row of their own, once the
 // choice is made, and turn by turn with those without shadows.
 void TimeChoice(
@@ -316,7 +300,7 @@ void TimeChoice(
     round.still = round.moving = RenderMilliseconds(stage);
     return round;
   };
-  Settle(stage, swing);
+  vtkshadows::SettleChoice(stage, swing);
   const int count = CountOf(plan, pair(swing));
   for (int i = 0; i < count; ++i)
   {
@@ -326,7 +310,7 @@ void TimeChoice(
     rounds.AddStill(round);
   }
   motion.RestCamera();
-  Settle(stage, circle);
+  vtkshadows::SettleChoice(stage, circle);
   for (int i = 0; i < count; ++i)
   {
     progress.Update(0.5 + 0.5 * i / count);
@@ -335,6 +319,20 @@ void TimeChoice(
   motion.RestLights();
 }
 
+}
+
+void SettleChoice(Stage& stage, const std::function<void()>& move)
+{
+  stage.ShowShadows(true);
+  for (int i = 0; i < MostFramesOfChoice; ++i)
+  {
+    move();
+    stage.Window().Render();
+    if (i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled())
+    {
+      return;
+    }
+  }
 }
 
 FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress)

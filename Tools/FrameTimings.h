@@ -2,6 +2,7 @@
 #ifndef vtkshadows_FrameTimings_h
 #define vtkshadows_FrameTimings_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct TimingPlan
   int rounds = 0;
   double seconds = 0.0;
 };
+
+// Draws frames until "auto" has chosen; `move` comes before each.
+void SettleChoice(Stage& stage, const std::function<void()>& move);
 
 // The camera, the lights and the pass are afterwards what they were.
 FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress);

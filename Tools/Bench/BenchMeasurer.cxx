@@ -26,9 +26,6 @@ namespace vtkshadows
 namespace
 {
 
-// Until "auto" must have made its choice.
-constexpr int MostFramesOfChoice = 200;
-
 std::string NameOf(LightKind kind)
 {
   return kind == LightKind::Directional ? "directional"
@@ -225,7 +222,7 @@ void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
   this->stage.Window().Render();
   if (setting.technique == "auto")
   {
-    row["explanations"] = this->SettleChoice();
+    row["explanations"] = this->ExplanationsOfChoice();
   }
   row["errors"] = withErrors ? this->ErrorsOf(run, peer) : BenchJson::array();
 
@@ -248,14 +245,11 @@ void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
   }
 }
 
-// Frames until "auto" has chosen; what it says of each light.
-BenchJson BenchMeasurer::SettleChoice()
+// What "auto" says of each light, once it has chosen.
+BenchJson BenchMeasurer::ExplanationsOfChoice()
 {
+  SettleChoice(this->stage, [] {});
   vtkShadowPass* shadows = this->stage.Shadows();
-  for (int i = 0; i < MostFramesOfChoice && !shadows->GetChoiceIsSettled(); ++i)
-  {
-    this->stage.Window().Render();
-  }
   BenchJson explanations = BenchJson::array();
   for (vtkLight* light : this->stage.Lights())
   {

@@ -41,7 +41,7 @@ private:
   BenchJson FactsOfMeshes() const;
   void MeasureInto(BenchJson& row, const BenchRun& run);
   // Of the scene shown, one a light; made once.
-  BenchJson SettleChoice();
+  BenchJson ExplanationsOfChoice();
   Truths& TruthsOf(bool soft);
   BenchJson ErrorsOf(const BenchRun& run, vtkRenderPass* peer);
   // What reading a visibility off pictures does to one that is right: mismatch in percent.
