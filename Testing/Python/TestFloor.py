@@ -12,7 +12,8 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-FOLDER = pathlib.Path(tempfile.mkdtemp(prefix="vtkshadows-"))
+KEPT = tempfile.TemporaryDirectory(prefix="vtkshadows-")  # goes with the test
+FOLDER = pathlib.Path(KEPT.name)
 
 
 def read_png(path):
