@@ -592,7 +592,7 @@ void Survey(const ShadowMesh<Real>& mesh, MeshPiece& piece)
     Extent::Join);
   piece.minimum = extent.minimum;
   piece.maximum = extent.maximum;
-  piece.insideOut = extent.volume < 0.0;
+  piece.insideOut = piece.closed && extent.volume < 0.0;
 }
 
 template <typename Real>
@@ -621,7 +621,7 @@ void FindPieces(ShadowMesh<Real>& mesh)
     }
   }
   mesh.pieces.shrink_to_fit();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed),
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.pieces.size()),
     [&mesh](const tbb::blocked_range<std::size_t>& range)
     {
       for (std::size_t i = range.begin(); i < range.end(); ++i)

@@ -82,7 +82,7 @@ struct MeshPiece
   // Closed and consistently wound: along each edge as many triangles run one way as the other.
   bool closed = false;
   bool insideOut = false; // of a closed piece: its triangles are wound clockwise, seen from outside
-  glm::dvec3 minimum{ 0.0 }, maximum{ 0.0 }; // of a closed piece's points
+  glm::dvec3 minimum{ 0.0 }, maximum{ 0.0 }; // of its points
 };
 
 // Triangles of a mesh that are kept as their corners alone, three points each: those of which at

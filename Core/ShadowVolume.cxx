@@ -7,7 +7,10 @@
 #include <glm/vector_relational.hpp>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace vtkshadows
 {
@@ -16,11 +19,35 @@ namespace
 
 using Index = std::uint32_t;
 
-bool HoldsLight(const MeshPiece& piece, const glm::dvec4& light)
+// How far a lamp may be from a piece's triangles and yet lie on them, by what points are rounded
+// by; negative if it is not within the piece's bounds and could lie on none.
+template <typename Real>
+double TouchOf(const MeshPiece& piece, const glm::dvec4& light)
 {
-  const glm::dvec3 position = glm::dvec3(light);
-  return light.w != 0.0 && glm::all(glm::greaterThanEqual(position, piece.minimum * light.w)) &&
-    glm::all(glm::lessThanEqual(position, piece.maximum * light.w));
+  if (light.w == 0.0)
+  {
+    return -1.0;
+  }
+  const glm::dvec3 largest = glm::max(glm::abs(piece.minimum), glm::abs(piece.maximum));
+  const double touch =
+    4.0 * std::numeric_limits<Real>::epsilon() * std::max({ largest.x, largest.y, largest.z });
+  const glm::dvec3 position = glm::dvec3(light) / light.w;
+  const bool isWithin = glm::all(glm::greaterThanEqual(position, piece.minimum - touch)) &&
+    glm::all(glm::lessThanEqual(position, piece.maximum + touch));
+  return isWithin ? touch : -1.0;
+}
+
+// Whether `p`, in the plane of the triangle a, b, c, lies beyond none of its sides by more than
+// `touch`.
+bool IsWithinSides(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+  const glm::dvec3& normal, const glm::dvec3& p, double touch)
+{
+  const auto isWithin = [&](const glm::dvec3& from, const glm::dvec3& to)
+  {
+    const glm::dvec3 inward = glm::cross(normal, to - from);
+    return glm::dot(inward, p - from) >= -touch * glm::length(inward);
+  };
+  return isWithin(a, b) && isWithin(b, c) && isWithin(c, a);
 }
 
 // The signs of triangles that face the light, and of those that do not.
@@ -30,9 +57,9 @@ struct SignRule
   CastSign turned = -1;
 };
 
-SignRule RuleOf(const MeshPiece& piece, const glm::dvec4& light, CastingFaces which)
+SignRule RuleOf(const MeshPiece& piece, bool holdsLight, CastingFaces which)
 {
-  if (which == CastingFaces::All || !piece.closed || HoldsLight(piece, light))
+  if (which == CastingFaces::All || !piece.closed || holdsLight)
   {
     return { 1, -1 };
   }
@@ -164,9 +191,11 @@ void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, Castin
 {
   signs.resize(mesh.NumberOfTriangles());
   std::vector<SignRule> rules;
+  std::vector<double> touches;
   for (const MeshPiece& piece : mesh.pieces)
   {
-    rules.push_back(RuleOf(piece, light, which));
+    touches.push_back(TouchOf<Real>(piece, light));
+    rules.push_back(RuleOf(piece, touches.back() >= 0.0, which));
   }
   ForEachBlock(signs.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
@@ -178,14 +207,21 @@ void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, Castin
       for (std::size_t i = first; i < last; ++piece)
       {
         const SignRule rule = rules[piece];
+        const double touch = touches[piece];
         const std::size_t end = std::min<std::size_t>(last, mesh.pieces[piece].last);
         for (; i < end; ++i)
         {
           const glm::uvec3 t = mesh.Corners(i);
           const glm::dvec3 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
           const glm::dvec3 normal = glm::cross(b - a, c - a);
-          const bool faces = glm::dot(normal, glm::dvec3(light) - a * light.w) > 0.0;
-          signs[i] = faces ? rule.facing : rule.turned;
+          const double height = glm::dot(normal, glm::dvec3(light) - a * light.w);
+          signs[i] = height > 0.0 ? rule.facing : rule.turned;
+          const double reach = touch * light.w;
+          if (touch >= 0.0 && height * height <= reach * reach * glm::dot(normal, normal) &&
+            IsWithinSides(a, b, c, normal, glm::dvec3(light) / light.w, touch))
+          {
+            signs[i] = 0;
+          }
         }
       }
     });

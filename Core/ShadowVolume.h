@@ -33,7 +33,9 @@ enum class CastingFaces
 };
 
 // One sign a triangle, each decided once, in double, whatever Real is. Edge-on triangles (and those
-// without an area) count as turned away. `signs` is resized.
+// without an area) count as turned away. One that a lamp lies on, to the rounding of the points,
+// casts nothing: the lamp's rays begin there, and rounding alone would tell on which side. `signs`
+// is resized.
 template <typename Real>
 void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, CastingFaces which,
   std::vector<CastSign>& signs);

@@ -12,7 +12,7 @@
 #include <utility>
 
 const vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, -1, 1 };
+  0, 0, 0, 0, 0, 0, -2, 1 };
 
 namespace
 {
@@ -27,6 +27,15 @@ constexpr int NoLayer = vtkShadowMapView::NoLayer;
 // A face on which nothing casts: every depth is nearer to the light.
 constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
+// Of a sum, how large its terms may be.
+double TermsOf(const glm::dvec4& row, double farthest)
+{
+  return glm::length(glm::dvec3(row)) * farthest + std::abs(row.w);
+}
+
+// A depth is looked up as 1 and what it is less, each of them rounded.
+const double LookupRounding = 1.0 + std::ldexp(1.0, -24);
+
 // In a cube of which `unit` is 1.
 FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
   int side, double unit, double riseTexels, double farthest)
@@ -34,8 +43,9 @@ FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWor
   const glm::dmat4 map = vtkShadowMatrix::MapFromClip(side, side) * view.clipFromView;
   const double slack = vtkShadowMapViews::DepthSlack(
     map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, side, riseTexels, farthest);
-  return { static_cast<float>(-map[2][2]), static_cast<float>((map[3][2] - slack) / unit),
-    static_cast<float>(layer), static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
+  return { static_cast<float>(-map[2][2] - std::ldexp(std::abs(map[2][2]), -23)),
+    static_cast<float>((map[3][2] - slack) / unit), static_cast<float>(layer),
+    static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
 
 // Texels of a side that is `share` of the longest; never none.
@@ -116,26 +126,36 @@ double vtkShadowMapViews::FarthestIn(
 }
 
 //------------------------------------------------------------------------------
-// First a bound of its rounding on the casters, on which a rounding could show as acne: a depth is
-// a sum of terms, each rounded, that may be far larger than itself (an eye far from a small scene).
-// In a perspective map w has its share, by the largest depth, 1. `map` takes it there from the
-// eye's view coordinates, which are what floats get.
+// A bound of its rounding on the casters, on which a rounding could show as acne: a depth is a sum
+// of terms, each rounded, that may be far larger than itself (an eye far from a small scene). `map`
+// takes it there from the eye's view coordinates, which are what floats get. In a perspective map
+// the depth less w, which is what is looked up with, is all but a constant.
 //
-// Then a share of a texel's own width, as depth: beside the receiver's triangle the surface may
-// rise out of its plane. In a perspective map both the width and the depth's step go with w, so
-// that it is a constant here, too.
+// And a share of a texel's own width, as depth: beside the receiver's triangle the surface may rise
+// out of its plane. In a perspective map both the width and the depth's step go with w, so that it
+// is a constant here, too.
 double vtkShadowMapViews::DepthSlack(
   const glm::dmat4& map, const LightView& view, int width, double riseTexels, double farthest)
 {
-  const glm::dvec4 z = glm::row(map, 2), w = glm::row(map, 3);
-  const double zTerms = glm::length(glm::dvec3(z)) * farthest + std::abs(z.w);
-  const double wTerms = glm::length(glm::dvec3(w)) * farthest + std::abs(w.w);
+  const glm::dvec4 z = glm::row(map, 2) - (view.parallel ? 0.0 : 1.0) * glm::row(map, 3);
+  const double rounding =
+    std::ldexp(2.0 * TermsOf(z, farthest) + (view.parallel ? 10.0 : 0.0), -24);
   const double step = view.parallel ? view.clipFromView[2][2] : view.clipFromView[3][2];
   // A map that is filled has as many texels on its other side.
   const double perSide = view.fillsMap ? std::min(view.clipFromView[0][0], view.clipFromView[1][1])
                                        : view.clipFromView[0][0];
-  return std::ldexp(2.0 * zTerms + 10.0 * wTerms, -24) +
-    riseTexels * std::abs(step) / (perSide * width);
+  return rounding + riseTexels * std::abs(step) / (perSide * width);
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowMapViews::RoundingReach(const glm::dmat4& spaceFromView, double farthest)
+{
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    reach = std::max(reach, TermsOf(glm::row(spaceFromView, axis), farthest));
+  }
+  return reach;
 }
 
 //------------------------------------------------------------------------------
@@ -197,9 +217,17 @@ glm::dmat4 vtkShadowMapViews::ReceiverMap(const vtkShadowMapSlot& slot, const Li
   const glm::dmat4& viewFromWorld, double riseTexels) const
 {
   glm::dmat4 map = this->MapFromView(view, viewFromWorld);
-  map[3][2] -=
-    DepthSlack(map, view, this->WidthOf(view), riseTexels, FarthestIn(viewFromWorld, slot.Casters));
-  return map;
+  const double farthest = FarthestIn(viewFromWorld, slot.Casters);
+  const double slack = DepthSlack(map, view, this->WidthOf(view), riseTexels, farthest);
+  if (view.parallel)
+  {
+    map[3][2] -= slack;
+    return map;
+  }
+  const glm::dvec4 w = glm::row(map, 3);
+  map = glm::row(map, 2, glm::row(map, 2) - LookupRounding * w);
+  map[3][2] -= slack;
+  return map / TermsOf(w, farthest);
 }
 
 //------------------------------------------------------------------------------
@@ -568,8 +596,8 @@ bool vtkShadowMapViews::UpdateLookups(
       lookup.Function = prefix + "Cube";
       lookup.Index = static_cast<int>(this->CubeFaces.size() / 6);
       this->CubeFaces.resize(this->CubeFaces.size() + 6, LitFace);
-      // Of a size that the squares and cubes of its coordinates are floats.
-      const double unit = FarthestIn(slot.CubeFromWorld, slot.Casters);
+      // Squares and cubes of its coordinates are floats then.
+      const double unit = RoundingReach(slot.CubeFromWorld * glm::inverse(viewFromWorld), farthest);
       for (const vtkShadowMapView& view : slot.Views)
       {
         this->CubeFaces[6 * lookup.Index + view.Face] = ParametersOf(view.View, viewFromWorld,

@@ -150,18 +150,26 @@ public:
     const vtkShadowScene::Light& light, const vtkShadowMapRoles& roles,
     const std::vector<vtkshadows::BoxCorners>& receivers, std::vector<std::size_t>& owners);
 
-  // What a receiver's depth is less by in a map of `width` texels, over w: a bound of its rounding,
-  // and the depth of `riseTexels` texels' width. `map`: to it from the eye's view coordinates;
-  // `farthest`: how far from the eye a receiver may lie, as FarthestIn finds it.
+  // What a receiver's depth is less by in a map of `width` texels, over w: the depth of
+  // `riseTexels` texels' width and, of a parallel map, a bound of the depth's rounding. `map`: to
+  // it from the eye's view coordinates; `farthest`: how far from the eye a receiver may lie, as
+  // FarthestIn finds it. In a perspective map the lookup takes off what the rounding of w makes:
+  // see ReceiverMap.
   static double DepthSlack(const glm::dmat4& map, const vtkshadows::LightView& view, int width,
     double riseTexels, double farthest);
+  // How large the sum that gives each coordinate of a space may grow on its way, in its units: what
+  // positions there are rounded in proportion to.
+  static double RoundingReach(const glm::dmat4& spaceFromView, double farthest);
   // How far from the origin of a space the casters reach.
   static double FarthestIn(
     const glm::dmat4& spaceFromWorld, const std::vector<vtkshadows::BoxCorners>& castersWC);
 
   // From the eye's view coordinates to the texels of a map, and depth there; homogeneous.
   glm::dmat4 MapFromView(const vtkshadows::LightView& view, const glm::dmat4& viewFromWorld) const;
-  // The same with the depth less its slack, for receivers of what a slot's casters throw.
+  // The same for the lookup of receivers of what a slot's casters throw: the depth less its slack;
+  // of a perspective map less w, too, and all over the reach of the rounding of w. Near the light a
+  // depth is 1 less a small share of w, and z and w apart have roundings as of an eye that may be
+  // far away.
   glm::dmat4 ReceiverMap(const vtkShadowMapSlot& slot, const vtkshadows::LightView& view,
     const glm::dmat4& viewFromWorld, double riseTexels) const;
   // From a view's own coordinates.

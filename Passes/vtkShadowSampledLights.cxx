@@ -203,7 +203,10 @@ void vtkShadowSampledLights::FitOne(const vtkShadowFrame& frame,
     anchor = glm::dvec3(axesFromWorld * glm::dvec4(anchorWC, 1.0));
     axesFromWorld = glm::translate(glm::dmat4(1.0), -anchor) * axesFromWorld;
   }
-  const double unit = ReachOf(casters, axesFromWorld);
+  const double unit = fitted.IsParallel
+    ? ReachOf(casters, axesFromWorld)
+    : vtkShadowMapViews::RoundingReach(axesFromWorld * glm::inverse(frame.ViewFromWorld),
+        vtkShadowMapViews::FarthestIn(frame.ViewFromWorld, casters));
   glm::dmat4 matrix = axesFromWorld * glm::inverse(frame.ViewFromWorld) / unit;
   matrix[3][3] = 0.0; // what is lit everywhere has 1
   fitted.Matrix = vtkShadowMatrix::ToFloats(matrix);
@@ -256,7 +259,8 @@ void vtkShadowSampledLights::FitOne(const vtkShadowFrame& frame,
     else
     {
       put(face.ScaleAndCentre, map[0][0], map[1][1], -map[2][0], -map[2][1]);
-      put(face.DepthAndLayer, -map[2][2], (map[3][2] - slack) / unit, layer, step);
+      put(face.DepthAndLayer, -map[2][2] - std::ldexp(std::abs(map[2][2]), -23),
+        (map[3][2] - slack) / unit, layer, step);
     }
   }
 

@@ -498,8 +498,7 @@ bool vtkShadowTexturePass::UpdateVisibility(
     for (const vtkShadowMapView& view : slot.Views)
     {
       Texture texture;
-      texture.FromView =
-        views.ReceiverMap(slot, view.View, frame.ViewFromWorld, this->GetRiseTexels());
+      texture.FromView = views.MapFromView(view.View, frame.ViewFromWorld);
       texture.Layer = view.Layer;
       texture.Size[0] = views.WidthOf(view.View);
       texture.Size[1] = views.HeightOf(view.View);
@@ -509,7 +508,11 @@ bool vtkShadowTexturePass::UpdateVisibility(
       my.Widths[static_cast<std::size_t>(view.Layer)] = static_cast<float>(texture.WidthPerDepth);
       texture.SidesWC = vtkshadows::SidesTowardLight(
         vtkshadows::HomogeneousLight(slot.Light), slot.Light.radius, BoundsOf(scene, view.Casters));
-      my.Matrices.push_back(vtkShadowMatrix::ToFloats(texture.FromView));
+      glm::dmat4 lookup =
+        views.ReceiverMap(slot, view.View, frame.ViewFromWorld, this->GetRiseTexels());
+      // One function looks up in all of them: a parallel one as if it were perspective.
+      lookup[3][2] -= texture.Parallel ? 1.0 : 0.0;
+      my.Matrices.push_back(vtkShadowMatrix::ToFloats(lookup));
       my.Textures.push_back(texture);
     }
   }

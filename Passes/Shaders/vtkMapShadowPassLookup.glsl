@@ -29,10 +29,20 @@ float shadowMapParallel(int layer, vec4 q, vec4 dq1, vec4 dq2)
   return shadowMapCompare(layer, q.xyz, dq1.xyz, dq2.xyz);
 }
 
+// Of a perspective map q.z is less than the depth by q.w, and q.w is in units of the reach by which positions are
+// rounded: see vtkShadowMapViews::ReceiverMap. A depth's error by the rounding of q.w, at most ten half units in
+// the last place of 1, goes with its distance from 1, as the depth itself does.
+vec3 shadowMapPlace(vec4 q)
+{
+  float inverse = 1.0 / q.w;
+  vec3 p = q.xyz * inverse;
+  return vec3(p.xy, 1.0 + (p.z + p.z * inverse * 5.9604645e-7));
+}
+
 // Behind a light nothing was drawn.
 float shadowMapPerspective(int layer, vec4 q)
 {
-  vec3 p = q.xyz / q.w;
+  vec3 p = shadowMapPlace(q);
   float visibility = shadowMapCompare(layer, p, dFdx(p), dFdy(p));
   return q.w > 0.0 ? visibility : 1.0;
 }
@@ -40,14 +50,14 @@ float shadowMapPerspective(int layer, vec4 q)
 float shadowMapPerspective(int layer, vec4 q, vec4 dq1, vec4 dq2)
 {
   vec3 p = q.xyz / q.w;
-  float visibility =
-    shadowMapCompare(layer, p, (dq1.xyz - p * dq1.w) / q.w, (dq2.xyz - p * dq2.w) / q.w);
+  float visibility = shadowMapCompare(
+    layer, shadowMapPlace(q), (dq1.xyz - p * dq1.w) / q.w, (dq2.xyz - p * dq2.w) / q.w);
   return q.w > 0.0 ? visibility : 1.0;
 }
 
 #ifdef SHADOW_MAP_CUBES
 // The six faces of each cube: depth = x + y / (depth before the light), z the layer, w texels per tangent. See
-// Core/LightView.h for how they lie.
+// Core/LightView.h for how they lie. Units as in shadowMapPlace.
 uniform vec4 shadowMapFaces[6 * SHADOW_MAP_CUBES];
 
 // q: as seen from the light, in the cube's axes; normal: of the receiver's plane. Neither knows of faces, so
@@ -64,7 +74,7 @@ float shadowMapCube(int cube, vec4 q, vec3 normal)
   float inverse = 1.0 / r.z;
   float way = r.z < 0.0 ? -1.0 : 1.0;
   vec3 p = vec3(vec2(-face.w, face.w * way) * r.xy * inverse + 0.5 * float(SHADOW_MAP_HEIGHT),
-    face.x + face.y * abs(inverse));
+    face.x + face.y * (abs(inverse) + inverse * inverse * 5.9604645e-7));
 
   // On the plane n.q = h the inverse of the depth is linear in the tangents.
   float h = dot(normal, q.xyz);

@@ -7,7 +7,7 @@ uniform vec4 shadowSampledLights[SHADOW_SAMPLED_LIGHTS];
 
 // Two a face: texels per tangent and the texel of tangent 0; then depth = x + y / (depth before the light), the
 // layer of its first sample (less than 0: nothing casts here) and layers a sample. Directional: positions
-// instead of tangents, and depth = x + y * position.
+// instead of tangents, and depth = x + y * position. Else in units as in shadowMapPlace.
 uniform vec4 shadowSampledFaces[2 * SHADOW_SAMPLED_FACES];
 
 // Where each sample stands, as seen from the light's middle; directional: how far its rays lean.
@@ -21,7 +21,9 @@ float shadowSampledView(int face, int i, vec3 r, vec3 n, float h)
   {
     return 1.0;
   }
-  vec3 p = vec3(scale.xy * r.xy / r.z + scale.zw, depth.x + depth.y / r.z);
+  float inverse = 1.0 / r.z;
+  vec3 p = vec3(scale.xy * r.xy * inverse + scale.zw,
+    depth.x + depth.y * (inverse + inverse * inverse * 5.9604645e-7));
   // On the plane the inverse of the depth is linear in the tangents.
   vec2 slope = h != 0.0 ? depth.y * n.xy / (h * scale.xy) : vec2(0.0);
   return shadowSampledMapFourTexels(int(depth.z) + i * int(depth.w), p, slope);

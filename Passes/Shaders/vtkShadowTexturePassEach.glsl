@@ -15,7 +15,7 @@ float shadowTextureEach(int slot, vec4 position)
     {
       vec4 q = shadowTextureFromView[i] * position;
       // Behind the projector nothing was drawn.
-      visibility *= q.w > 0.0 ? shadowTextureCompare(shadowTextureLayers[i], q.xyz / q.w, vec2(0.0)) : 1.0;
+      visibility *= q.w > 0.0 ? shadowTextureCompare(shadowTextureLayers[i], shadowTexturePlace(q), vec2(0.0)) : 1.0;
     }
   }
   return visibility;

@@ -255,7 +255,7 @@ TEST(ShadowMesh, WhatIsClosedIsAPieceAndTheRestIsOne)
   const MeshPiece tetrahedron{ 12, 16, true, true, { 3, 0.5, 0 }, { 4, 1.5, 1 } };
   ExpectEqual(got.pieces[0], cube);
   ExpectEqual(got.pieces[1], tetrahedron);
-  ExpectEqual(got.pieces[2], { 16, 24, false, false, {}, {} });
+  ExpectEqual(got.pieces[2], { 16, 24, false, false, { 6, 1, 0 }, { 7.2, 2, 0 } });
 
   std::set<std::uint32_t> used;
   ASSERT_EQ(got.originals.size(), mesh.triangles.size());

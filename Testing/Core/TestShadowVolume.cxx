@@ -492,3 +492,49 @@ TEST(ShadowVolume, FacingIsDecidedInDoubleForFloatsToo)
     EXPECT_EQ(signs[0], tilt > 0.0 ? 1 : -1);
   }
 }
+
+// A lamp at a corner, on an edge or on a face of a box whose points are floats, though the lamp is
+// where they were in double: the faces that it lies on cast nothing, and what lies behind the box
+// is in the shadow of the others, whichever way rounding went.
+TEST(ShadowVolume, WhatALampLiesOnCastsNothing)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (int turn = 0; turn < 50; ++turn)
+  {
+    const glm::dvec3 axis(coordinate(random), coordinate(random), 1.5 + coordinate(random));
+    const glm::dvec3 x = glm::normalize(axis), y = glm::normalize(glm::cross(x, { 0.3, 1.0, 0.1 })),
+                     z = glm::cross(x, y);
+    const glm::dvec3 middle(5.0 * coordinate(random), 5.0 * coordinate(random), coordinate(random));
+    const auto at = [&](double i, double j, double k) { return middle + i * x + j * y + k * z; };
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 8; ++i)
+    {
+      points.emplace_back(at(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+    }
+    // Two triangles a side; sides that meet at corner 7 come first.
+    const std::vector<glm::uvec3> triangles{ { 1, 3, 7 }, { 1, 7, 5 }, { 2, 6, 7 }, { 2, 7, 3 },
+      { 4, 5, 7 }, { 4, 7, 6 }, { 0, 4, 6 }, { 0, 6, 2 }, { 0, 1, 5 }, { 0, 5, 4 }, { 0, 2, 3 },
+      { 0, 3, 1 } };
+    const ShadowMesh<float> mesh = BuildShadowMesh(points, triangles, true);
+    const struct
+    {
+      glm::dvec3 place;
+      unsigned int touched; // a bit a triangle
+    } lamps[] = { { at(1, 1, 1), 0x3f }, { at(1, 1, 0.2), 0x09 }, { at(1, 0.3, -0.4), 0x01 } };
+    for (const auto& lamp : lamps)
+    {
+      for (const CastingFaces which : { CastingFaces::All, CastingFaces::Closed })
+      {
+        std::vector<CastSign> signs;
+        FaceTriangles(mesh, glm::dvec4(lamp.place, 1.0), which, signs);
+        unsigned int silent = 0;
+        for (std::size_t i = 0; i < signs.size(); ++i)
+        {
+          silent |= signs[i] == 0 ? 1u << mesh.originals[i] : 0u;
+        }
+        EXPECT_EQ(silent, lamp.touched) << "turn " << turn;
+      }
+    }
+  }
+}
