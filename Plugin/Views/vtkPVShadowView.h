@@ -57,7 +57,8 @@ public:
 
   /**
    * What has an ID of its own in an object-ID map: "prop" (default), "block", "instance" or
-   * "piece"; see vtkObjectIDShadowPass::SetObjectType. Another name is an error and changes nothing.
+   * "piece"; see vtkObjectIDShadowPass::SetObjectType. Another name is an error and changes
+   * nothing.
    */
   void SetObjectType(const char* name);
 
