@@ -116,6 +116,7 @@ TEST_F(DepthMapFilters, HardLights)
 TEST_F(DepthMapFilters, EachIsAnother)
 {
   this->AddScene(false);
+  this->Render();
   std::vector<std::size_t> between;
   for (int filter = 0; filter < Pass::GetNumberOfFilters(); ++filter)
   {
