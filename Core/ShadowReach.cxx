@@ -453,6 +453,26 @@ std::vector<glm::dvec3> SeenCorners(
 }
 
 //------------------------------------------------------------------------------
+// What is seen of a box is convex: it misses the face if it lies beyond one of its sides.
+bool FaceMayBeSeen(
+  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& receivers, const LightView& face)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(face.clipFromView * face.viewFromWorld);
+  return std::any_of(receivers.begin(), receivers.end(),
+    [&](const BoxCorners& box)
+    {
+      const std::vector<glm::dvec3> seen = SeenCorners(clipFromWorld, { box });
+      return !seen.empty() &&
+        std::none_of(planes.begin(), planes.begin() + SidePlanes,
+          [&seen](const glm::dvec4& plane)
+          {
+            return std::all_of(seen.begin(), seen.end(),
+              [&plane](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) < 0.0; });
+          });
+    });
+}
+
+//------------------------------------------------------------------------------
 bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorners& caster)
 {
   const double size = glm::length(receivers.maximum - receivers.minimum);

@@ -88,6 +88,11 @@ bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const Box& seen, const Shad
 std::vector<glm::dvec3> SeenCorners(
   const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& boxes);
 
+// Whether a place in one of the boxes that lies within the four sides of the eye's view can lie
+// within the four sides of `face`, a view from a light in their midst.
+bool FaceMayBeSeen(
+  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& receivers, const LightView& face);
+
 // Whether the eye's near plane, as far as it is seen, can lie in the caster's shadow or cut the
 // caster: then faces of its volume between eye and near plane are missing, if what lies there is
 // clipped (E. Lengyel: The mechanics of robust stencil shadows, Gamasutra 2002).

@@ -22,6 +22,7 @@
 #include "vtkShadowSceneData.h"
 #include "vtkShadowText.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTransmittance.h"
 #include "vtkShadowTriangleMaps.h"
 #include "vtkShadowedShadingPass.h"
 
@@ -150,6 +151,8 @@ public:
   vtkShadowSampledLights Sampled;
   vtkShadowHiddenFaces HiddenFaces;
   vtkShadowTriangleMaps Triangles; // of the filter EXACT
+  vtkShadowTransmittance Transmittance;
+  bool Transmits = false; // some caster of this frame attenuates
   std::vector<Slot> Slots;
   double SoftTexels = 0.0; // the widest kernel on a face of a cube, this frame
   int Room = 8;
@@ -383,6 +386,16 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
     return false;
   }
 
+  const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
+  const bool transmits = std::any_of(props.begin(), props.end(),
+    [](const vtkShadowScene::Prop& prop) { return prop.Casts && prop.Transmits; });
+  if (transmits != my.Transmits)
+  {
+    my.Transmits = transmits;
+    my.Stamp.Modified();
+    this->ForgetMaps();
+  }
+
   // Lights that are sampled have maps of their own.
   std::vector<int> ordinary, sampled;
   std::vector<bool> areSampled;
@@ -483,9 +496,28 @@ bool vtkDepthShadowMapPass::UpdateSampled(
 bool vtkDepthShadowMapPass::ReserveMaps(
   const vtkShadowFrame& frame, int width, int height, int layers)
 {
-  using Format = vtkShadowTextureArray::Format;
   Internals& my = *this->Internal;
   my.Room = RoomFor(layers);
+  if (!my.Transmits)
+  {
+    my.Transmittance.Release();
+    return this->ReserveOpaque(frame, width, height, layers);
+  }
+  const bool isLost = this->ReserveOpaque(frame, width, height, layers);
+  const bool areLost = my.Transmittance.Reserve(frame.Window, width, height, layers);
+  if (!my.Transmittance.IsReady())
+  {
+    my.Maps.Release();
+  }
+  return isLost || areLost;
+}
+
+// All but what translucent casters have.
+bool vtkDepthShadowMapPass::ReserveOpaque(
+  const vtkShadowFrame& frame, int width, int height, int layers)
+{
+  using Format = vtkShadowTextureArray::Format;
+  Internals& my = *this->Internal;
   const Format depths = DepthFormatOf(this->DepthBits);
   const bool isRamp = this->DepthBits == 8;
   if (!isRamp && !this->IsBlurred())
@@ -602,11 +634,25 @@ void vtkDepthShadowMapPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
   {
     byMappers.Casters = my.Triangles.PlainCasters(view);
   }
+  std::vector<std::size_t> translucents;
+  const auto transmits = [&frame](std::size_t i) { return frame.Scene->GetProps()[i].Transmits; };
+  if (my.Transmits)
+  {
+    std::copy_if(
+      view.Casters.begin(), view.Casters.end(), std::back_inserter(translucents), transmits);
+    byMappers.Casters.erase(
+      std::remove_if(byMappers.Casters.begin(), byMappers.Casters.end(), transmits),
+      byMappers.Casters.end());
+  }
   this->DrawDepths(frame, slot.Light, byMappers, drawn, layer, width, height);
   if (this->Filter == EXACT)
   {
     const auto number = static_cast<std::size_t>(&slot - this->GetViews().GetSlots().data());
     my.Triangles.Draw(frame, drawn, layer, number, view, width, height);
+  }
+  if (my.Transmits)
+  {
+    my.Transmittance.Draw(frame, view, translucents, drawn, layer, width, height);
   }
   if (this->HasDistances() && !isDirect)
   {
@@ -624,6 +670,13 @@ void vtkDepthShadowMapPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
 //------------------------------------------------------------------------------
 // Settings as macros, and then the texts that the filter consists of.
 std::string vtkDepthShadowMapPass::GetCompareDeclarations() const
+{
+  return this->Internal->Transmits
+    ? vtkShadowTransmittance::Declarations(this->GetOpaqueDeclarations())
+    : this->GetOpaqueDeclarations();
+}
+
+std::string vtkDepthShadowMapPass::GetOpaqueDeclarations() const
 {
   using vtkShadowText::Define;
   using vtkShadowText::Float;
@@ -735,6 +788,7 @@ void vtkDepthShadowMapPass::SetLookupParameters(vtkShaderProgram* program, vtkPr
   set("shadowDepthMapViews", my.Views);
   set("shadowDepthMapSides", my.Sides);
   my.Sampled.SetParameters(program);
+  my.Transmittance.SetParameters(program);
   if (this->Filter == EXACT)
   {
     my.Triangles.SetParameters(program);
@@ -756,6 +810,7 @@ void vtkDepthShadowMapPass::ActivateTextures()
   }
   my.Maps.Activate();
   my.Sampled.Textures.Activate();
+  my.Transmittance.Activate();
   if (this->Filter == EXACT)
   {
     my.Triangles.Activate();
@@ -767,6 +822,7 @@ void vtkDepthShadowMapPass::DeactivateTextures()
   Internals& my = *this->Internal;
   my.Maps.Deactivate();
   my.Sampled.Textures.Deactivate();
+  my.Transmittance.Deactivate();
   my.Triangles.Deactivate();
   if (this->Filter == HARDWARE && my.Maps.Id())
   {
@@ -779,7 +835,7 @@ vtkIdType vtkDepthShadowMapPass::GetTextureMemory() const
 {
   const Internals& my = *this->Internal;
   return static_cast<vtkIdType>(my.Maps.Bytes() + my.Depths.Bytes() + my.Moments.Bytes() +
-    my.Sampled.Textures.Bytes() + my.Triangles.TextureBytes());
+    my.Sampled.Textures.Bytes() + my.Triangles.TextureBytes() + my.Transmittance.Bytes());
 }
 
 vtkIdType vtkDepthShadowMapPass::GetCasterMemory() const
@@ -796,6 +852,7 @@ void vtkDepthShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
   my.Moments.Release();
   my.Sampled.Textures.Release();
   my.Triangles.Release();
+  my.Transmittance.Release();
   this->Superclass::ReleaseGraphicsResources(w);
 }
 

@@ -260,6 +260,8 @@ private:
     const vtkShadowMapView& view, const vtkShadowTextureArray& maps, int layer, int width,
     int height);
   std::string GetSharedDeclarations(bool distances) const;
+  std::string GetOpaqueDeclarations() const;
+  bool ReserveOpaque(const vtkShadowFrame& frame, int width, int height, int layers);
   bool RefusesChoice(const char* name, const char* type, int value, int choices, int setting);
 
   class Internals;

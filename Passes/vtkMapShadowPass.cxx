@@ -202,7 +202,7 @@ bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::
   fit.ConfineToView = this->ConfineToView;
   fit.Eye = EyeOf(frame, this->FitCamera);
   views.Fit(frame, lights, fit, this->GetRoles(frame));
-  const int layers = std::max(views.NumberOfViews(), 1);
+  const int layers = std::max(views.NumberOfLayers(), 1);
   if (this->ReserveMaps(frame, LayerWidth(side), side, layers))
   {
     views.ForgetLayers();

@@ -107,6 +107,20 @@ void AddViews(vtkShadowMapSlot& slot, const std::vector<vtkshadows::FittedLightV
   }
 }
 
+// A receiver is looked up in the one face that it lies in: those of receivers out of sight need no
+// map.
+void LeaveOutFaces(
+  vtkShadowMapSlot& slot, const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& receivers)
+{
+  const std::size_t faces = slot.Views.size();
+  slot.Views.erase(std::remove_if(slot.Views.begin(), slot.Views.end(),
+                     [&](const vtkShadowMapView& view)
+                     { return !vtkshadows::FaceMayBeSeen(clipFromWorld, receivers, view.View); }),
+    slot.Views.end());
+  slot.FacesOutOfSight = static_cast<int>(faces - slot.Views.size());
+  slot.IsSkipped = faces > 0 && slot.Views.empty();
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -299,6 +313,10 @@ vtkShadowMapSlot vtkShadowMapViews::SlotOf(const vtkShadowFrame& frame,
       }
     }
     AddViews(slot, fitted.views, owners, vtkShadowMapView::AllCasters, scene.GetCasterStamp());
+    if (slot.IsCube)
+    {
+      LeaveOutFaces(slot, clipFromWorld, others);
+    }
   }
   if (roles.Needs)
   {
@@ -398,6 +416,17 @@ int vtkShadowMapViews::NumberOfViews() const
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowMapViews::NumberOfLayers() const
+{
+  int layers = this->NumberOfViews();
+  for (const vtkShadowMapSlot& slot : this->Slots)
+  {
+    layers += slot.FacesOutOfSight;
+  }
+  return layers;
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowMapViews::NumberOfSkippedLights() const
 {
   return static_cast<int>(std::count_if(this->Slots.begin(), this->Slots.end(),
@@ -462,6 +491,9 @@ void vtkShadowMapViews::Place(int layers)
     { return find([&](const Content& content) { return holds(content, view); }); });
   place(
     [&](std::size_t slot, const vtkShadowMapView& view) { return this->LayerBefore(slot, view); });
+  // What other layers hold may be a face of a cube that the eye turns back to.
+  place([&](std::size_t, const vtkShadowMapView&)
+    { return find([](const Content& content) { return !content.Known; }); });
   place([&](std::size_t, const vtkShadowMapView&)
     { return find([](const Content&) { return true; }); });
 }

@@ -51,6 +51,7 @@ struct vtkShadowMapSlot
   glm::dmat4 CubeFromWorld{ 1.0 };
   // None of its shadows can be seen: it has no views.
   bool IsSkipped = false;
+  int FacesOutOfSight = 0; // of the cube, that have no view because nothing seen looks into them
   bool HasCascades = false;
   vtkshadows::LightCascades Cascades;
   std::vector<vtkshadows::BoxCorners> Casters; // that can cast on a receiver
@@ -99,6 +100,8 @@ public:
   void Fit(const vtkShadowFrame& frame, const std::vector<int>& lights, const vtkShadowMapFit& fit,
     const vtkShadowMapRoles& roles = {});
   int NumberOfViews() const;
+  // Room for their maps, and for those of faces that the eye may turn to.
+  int NumberOfLayers() const;
   int NumberOfSkippedLights() const;
   // Casters that a view does not draw, summed over the views.
   int NumberOfCastersLeftOut() const;

@@ -201,7 +201,7 @@ bool vtkShadowObjects::Update(const vtkShadowScene& scene, Kind kind, int mostID
   this->Count = 0;
   this->Boxes.clear();
   this->Entries.clear();
-  this->WholeByKeys.clear();
+  this->OwnersByKeys.clear();
   if (isOther)
   {
     this->Tables.clear();
@@ -237,7 +237,7 @@ bool vtkShadowObjects::Update(const vtkShadowScene& scene, Kind kind, int mostID
         if (other.Source == prop.StandsInFor)
         {
           this->Entries[piece.Prop].Whole = whole;
-          this->WholeByKeys.emplace(piece.Prop->GetPropertyKeys(), whole);
+          this->OwnersByKeys.emplace(piece.Prop->GetPropertyKeys(), piece.Prop);
         }
       }
     }
@@ -261,7 +261,7 @@ void vtkShadowObjects::AddPiece(
     entry.Whole = this->Count++;
   }
   this->Boxes.push_back({ entry.Whole, piece.CornersWC, beyond });
-  this->WholeByKeys.emplace(piece.Prop->GetPropertyKeys(), entry.Whole);
+  this->OwnersByKeys.emplace(piece.Prop->GetPropertyKeys(), piece.Prop);
   if (!isFirst)
   {
     // The same prop in several places is drawn without a word of which.
@@ -426,15 +426,15 @@ vtkShadowObjects::Draw vtkShadowObjects::DrawOf(
   vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   Draw draw;
-  const auto known = this->Entries.find(prop);
+  auto known = this->Entries.find(prop);
   if (known == this->Entries.end())
   {
-    const auto byKeys = this->WholeByKeys.find(prop->GetPropertyKeys());
-    if (byKeys != this->WholeByKeys.end())
-    {
-      draw.First = byKeys->second;
-      draw.Whole = this->IDOf(draw.First);
-    }
+    const auto owner = this->OwnersByKeys.find(prop->GetPropertyKeys());
+    known =
+      owner != this->OwnersByKeys.end() ? this->Entries.find(owner->second) : this->Entries.end();
+  }
+  if (known == this->Entries.end())
+  {
     return draw;
   }
   const Entry& entry = known->second;
@@ -456,7 +456,7 @@ vtkShadowObjects::Draw vtkShadowObjects::DrawOf(
   }
   else if (!entry.Meshes.empty())
   {
-    draw.OfVertices = this->TableOf(window, mapper, prop, entry);
+    draw.OfVertices = this->TableOf(window, mapper, known->first, entry);
   }
   return draw;
 }

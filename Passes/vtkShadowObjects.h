@@ -115,7 +115,8 @@ private:
   int Count = 0;
   std::vector<Box> Boxes;
   std::unordered_map<vtkProp*, Entry> Entries;
-  std::unordered_map<vtkInformation*, int> WholeByKeys; // of copies that mappers make of a prop
+  // Of the actors that mappers and ParaView's props draw by in a prop's place.
+  std::unordered_map<vtkInformation*, vtkProp*> OwnersByKeys;
   vtkShadowByPiece<PiecesByMesh> Split;
   std::map<std::pair<vtkAbstractMapper*, vtkProp*>, std::unique_ptr<VertexTable>> Tables;
 };

@@ -1224,11 +1224,11 @@ void vtkShadowPass::GetLightTextureUp(vtkLight* light, double up[3]) const
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetTranslucentCasting(int how)
 {
-  if (how < TRANSLUCENT_NONE || how > TRANSLUCENT_STOCHASTIC)
+  if (how < TRANSLUCENT_NONE || how > TRANSLUCENT_TRANSMITTANCE)
   {
     vtkErrorMacro("TranslucentCasting "
-      << how << " is none of vtkShadowPass::TranslucentCastingType (0 to " << TRANSLUCENT_STOCHASTIC
-      << "). It stays " << this->GetTranslucentCasting() << ".");
+      << how << " is none of vtkShadowPass::TranslucentCastingType (0 to "
+      << TRANSLUCENT_TRANSMITTANCE << "). It stays " << this->GetTranslucentCasting() << ".");
     return;
   }
   if (how != this->GetTranslucentCasting())

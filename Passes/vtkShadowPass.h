@@ -337,7 +337,9 @@ public:
     TRANSLUCENT_NONE = 0,   // they cast nothing
     TRANSLUCENT_OPAQUE = 1, // as if they were opaque
     TRANSLUCENT_STOCHASTIC =
-      2 // by opacity: in maps and flattened shadows each texel holds or lets through
+      2, // by opacity: in maps and flattened shadows each texel holds or lets through
+    TRANSLUCENT_TRANSMITTANCE =
+      3 // by opacity, without grain: in depth maps each texel is attenuated
   };
 
   ///@{
@@ -347,7 +349,12 @@ public:
    * "depth-map" and the other techniques that draw casters: of a prop of the opacity 0.3 three
    * texels in ten cast, in a fixed pattern that a wide filter smooths (screen-door transparency;
    * Enderton et al. 2010). The others, "stencil-volume" and "ray-cast", cast as if it were opaque.
-   * Another value is an error and changes nothing.
+   * TRANSLUCENT_TRANSMITTANCE: a receiver behind the translucent surface that is nearest to the
+   * light has the light times the product of 1 - opacity over all translucent surfaces before the
+   * nearest opaque one, without noise. What lies between two of them, or is the second, has the
+   * attenuation of both. It is told by "depth-map" with any filter; with "sample-lights", and by
+   * the other techniques, it is TRANSLUCENT_STOCHASTIC. Another value is an error and changes
+   * nothing.
    */
   void SetTranslucentCasting(int how);
   int GetTranslucentCasting() const;

@@ -570,9 +570,10 @@ void vtkShadowScene::Internals::GatherProps(vtkRenderer* renderer)
       prop.Receives = true;
     }
     if (prop.Translucent && prop.Casts &&
-      this->TranslucentCasting == vtkShadowPass::TRANSLUCENT_STOCHASTIC)
+      this->TranslucentCasting >= vtkShadowPass::TRANSLUCENT_STOCHASTIC)
     {
       prop.Dithers = true;
+      prop.Transmits = this->TranslucentCasting == vtkShadowPass::TRANSLUCENT_TRANSMITTANCE;
       for (Piece& piece : prop.Pieces)
       {
         piece.DrawnSolid = false;

@@ -60,8 +60,9 @@ struct vtkShadowScene::Prop
   // Of a stand-in, the prop in whose place it casts: it is no part of the frame.
   vtkProp* StandsInFor = nullptr;
   bool Translucent = false;
-  bool Dithers = false; // translucent, and casts by its opacity
-  bool Catches = false; // a shadow catcher: translucent, receives, casts nothing
+  bool Dithers = false;   // translucent, and casts by its opacity
+  bool Transmits = false; // the same, without grain where a technique can
+  bool Catches = false;   // a shadow catcher: translucent, receives, casts nothing
   // Draws impostors (spheres, sticks, points as spheres, lines as tubes), whose shaders ask whether
   // the camera is parallel.
   bool Impostors = false;

@@ -364,11 +364,25 @@ void vtkShadowedShadingPass::DrawCasters(const vtkShadowFrame& frame,
   this->Culled = culled;
   this->CastersWriteDepth = writesDepth;
   this->Writer = writer;
+  this->DrawFromLight(frame, props, view, writer ? TEXELS : CASTERS);
+}
+
+void vtkShadowedShadingPass::DrawTransmittance(const vtkShadowFrame& frame,
+  const std::vector<std::size_t>& props, const vtkshadows::LightView& view, bool writesDepth)
+{
+  this->Culled.clear();
+  this->CastersWriteDepth = writesDepth;
+  this->DrawFromLight(frame, props, view, TRANSMITTANCE);
+}
+
+void vtkShadowedShadingPass::DrawFromLight(const vtkShadowFrame& frame,
+  const std::vector<std::size_t>& props, const vtkshadows::LightView& view, Stage stage)
+{
   vtkRenderer* renderer = frame.Renderer;
   const vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
   renderer->SetActiveCamera(this->CasterCamera);
-  this->SetStage(writer ? TEXELS : CASTERS);
+  this->SetStage(stage);
   // What lies before the near plane still casts.
   glEnable(GL_DEPTH_CLAMP);
 
@@ -685,6 +699,10 @@ bool vtkShadowedShadingPass::PreReplaceShaderValues(std::string& vertexShader, s
         fragmentShader, "//VTK::Light::Dec", std::string(vtkShadowDitherFS), false);
       output = "  if (!shadowHolds(opacity)) { discard; }\n" + output;
     }
+    if (this->CurrentStage == TRANSMITTANCE)
+    {
+      output = "  gl_FragData[0] = vec4(clamp(1.0 - opacity, 0.0, 1.0));\n";
+    }
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl", output, false);
     return true;
   }
@@ -843,6 +861,11 @@ bool vtkShadowedShadingPass::SetShaderParameters(
       this->State->vtkglDisable(GL_CULL_FACE);
     }
     this->State->vtkglDepthMask(this->CastersWriteDepth ? GL_TRUE : GL_FALSE);
+    if (this->CurrentStage == TRANSMITTANCE)
+    {
+      this->State->vtkglEnable(GL_BLEND);
+      this->State->vtkglBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    }
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, VTK_MTIME_MAX);
     return true;
   }

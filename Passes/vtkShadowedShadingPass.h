@@ -61,13 +61,14 @@ public:
   // What is drawn, and so what a mapper's shader says.
   enum Stage
   {
-    SHADE,     // the frame
-    CASTERS,   // depth from a light, and as a colour (1, depth)
-    TEXELS,    // the same, and what a technique has its casters write
-    DEPTHS,    // depth from the eye
-    COVERAGE,  // what the frame shows in front, and as a colour (1, its surface's depth)
-    POSITIONS, // the receivers' positions and normals
-    VISIBILITY // the visibility of one light
+    SHADE,         // the frame
+    CASTERS,       // depth from a light, and as a colour (1, depth)
+    TEXELS,        // the same, and what a technique has its casters write
+    TRANSMITTANCE, // the same of translucent ones, and as a colour 1 - opacity
+    DEPTHS,        // depth from the eye
+    COVERAGE,      // what the frame shows in front, and as a colour (1, its surface's depth)
+    POSITIONS,     // the receivers' positions and normals
+    VISIBILITY     // the visibility of one light
   };
 
   // Whose visibility light i of the scene is multiplied by; no technique: lit.
@@ -105,6 +106,10 @@ public:
   void DrawCasters(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view, const std::unordered_map<vtkProp*, unsigned int>& culled,
     bool writesDepth = true, vtkShadowTechniquePass* writer = nullptr);
+  // Translucent casters: their depths, whole; or what they let through of the light, multiplied
+  // into the colour.
+  void DrawTransmittance(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
+    const vtkshadows::LightView& view, bool writesDepth);
   void DrawReceivers(
     const vtkShadowFrame& frame, Stage stage, const std::vector<std::size_t>* props = nullptr);
   // After Attach. Where a shadow catcher may lie before another receiver, masks are made in two
@@ -142,6 +147,8 @@ private:
   vtkShadowedShadingPass(const vtkShadowedShadingPass&) = delete;
   void operator=(const vtkShadowedShadingPass&) = delete;
 
+  void DrawFromLight(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
+    const vtkshadows::LightView& view, Stage stage);
   std::string Declarations() const;
   std::string PlaceObjects(std::string& vertexShader, bool byVertex) const;
   void PlaceTexels(
@@ -167,7 +174,8 @@ private:
   }
   bool DrawsCasters() const
   {
-    return this->CurrentStage == CASTERS || this->CurrentStage == TEXELS;
+    return this->CurrentStage == CASTERS || this->CurrentStage == TEXELS ||
+      this->CurrentStage == TRANSMITTANCE;
   }
 
   std::vector<LightPlan> Plan;

@@ -1,5 +1,20 @@
-// Filter "disc": percentage-closer filtering over a disc of SHADOW_DEPTH_MAP_RADIUS texels.
+// Filter "disc": percentage-closer filtering, the mean over a disc of SHADOW_DEPTH_MAP_RADIUS texels.
 float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 {
-  return shadowDepthMapKernel(layer, p, slope, SHADOW_DEPTH_MAP_RADIUS, shadowDepthMapTurn());
+  vec2 turn = shadowDepthMapTurn();
+  p.z -= shadowDepthMapSlack(slope, 0.5);
+  vec2 plane = shadowDepthMapTilt(slope);
+  float sum = 0.0;
+  for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
+  {
+    float share;
+    vec2 way = shadowDepthMapTap(tap, turn, share);
+    vec4 receiver;
+    vec2 f;
+    vec2 offset = SHADOW_DEPTH_MAP_RADIUS * sqrt(share) * way;
+    vec4 depth = shadowDepthMapAround(layer, p, plane, offset, receiver, f);
+    vec4 lit = step(min(receiver, 1.0), depth);
+    sum += shadowDepthMapBlend(lit, f);
+  }
+  return sum / float(SHADOW_DEPTH_MAP_TAPS);
 }

@@ -1,6 +1,6 @@
-// Percentage-closer filtering over a disc of texels, for the filters "disc" and "soft". Ahead of it stands
-// SHADOW_DEPTH_MAP_TAPS. H. Vogel 1979: points spread evenly over a disc; J. Jimenez 2014: the noise that turns
-// them from pixel to pixel, so that their steps become grain.
+// Taps over a disc of texels, for the filters "disc" and "soft". Ahead of it stands SHADOW_DEPTH_MAP_TAPS.
+// H. Vogel 1979: points spread evenly over a disc; J. Jimenez 2014: the noise that turns them from pixel to pixel,
+// so that their steps become grain.
 
 vec2 shadowDepthMapTurn()
 {
@@ -27,23 +27,4 @@ vec4 shadowDepthMapAround(int layer, vec3 p, vec2 plane, vec2 offset, out vec4 r
   float z = p.z + dot(plane, offset - f);
   receiver = vec4(z + plane.y, z + plane.x + plane.y, z + plane.x, z);
   return shadowDepthMapGather(layer, corner);
-}
-
-// The mean over a disc of `radius` texels.
-float shadowDepthMapKernel(int layer, vec3 p, vec2 slope, float radius, vec2 turn)
-{
-  p.z -= shadowDepthMapSlack(slope, 0.5);
-  vec2 plane = shadowDepthMapTilt(slope);
-  float sum = 0.0;
-  for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
-  {
-    float share;
-    vec2 way = shadowDepthMapTap(tap, turn, share);
-    vec4 receiver;
-    vec2 f;
-    vec4 depth = shadowDepthMapAround(layer, p, plane, radius * sqrt(share) * way, receiver, f);
-    vec4 lit = step(min(receiver, 1.0), depth);
-    sum += shadowDepthMapBlend(lit, f);
-  }
-  return sum / float(SHADOW_DEPTH_MAP_TAPS);
 }

@@ -1,8 +1,14 @@
-// Filter "soft": percentage-closer soft shadows (R. Fernando 2005).
+// Filter "soft": soft shadows by depth, of a light with a radius.
 //
 // Seen in the map, the rays from a receiver to the light's disc are a straight cone, of a perspective map, too:
 // at the depth z its radius is views.x * (p.z - z) texels. Blockers are texels in that cone, before the
-// receiver's plane. The similar triangles of a blocker, the receiver and the disc give the penumbra.
+// receiver's plane (R. Fernando 2005). Those of one depth hide the share of the cone's circle there that they
+// cover; by its own circle each texel hides a share of the disc (G. Guennebaud et al. 2006).
+//
+// Blockers of several depths are taken in slabs, the one nearest to the light first. What a slab hides is told by
+// those taps alone at which nothing nearer stands before it, and what all leave free is the product: the
+// product-limit estimate of censored data (E. Kaplan, P. Meier 1958). With all blockers at one depth it is the
+// mean over one kernel.
 float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 {
   vec4 view = shadowDepthMapViews[layer];
@@ -15,10 +21,10 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   vec2 turn = shadowDepthMapTurn();
   vec3 before = vec3(p.xy, p.z - shadowDepthMapSlack(slope, 0.5));
   vec2 plane = shadowDepthMapTilt(slope);
-  float sum = 0.0, blockers = 0.0;
+  vec4 nearest = vec4(1.0), farthest = vec4(0.0);
   for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
   {
-    // Spread evenly over radii, for the cone is thin where blockers are near; each stands for its ring.
+    // Spread evenly over radii, for the cone is thin where blockers are near.
     float share;
     vec2 offset = reach * shadowDepthMapTap(tap, turn, share);
     offset *= share;
@@ -28,14 +34,53 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     // A texel's width to spare, for the blocker's edge may lie anywhere in it.
     vec4 cone = vec4(before.z - (length(offset) - 1.0) / view.x);
     vec4 blocks = vec4(lessThan(depth, min(min(receiver, cone), 1.0)));
-    sum += share * dot(blocks, depth);
-    blockers += share * dot(blocks, vec4(1.0));
+    nearest = min(nearest, mix(vec4(1.0), depth, blocks));
+    farthest = max(farthest, depth * blocks);
   }
-  if (blockers == 0.0)
+  nearest.xy = min(nearest.xy, nearest.zw);
+  farthest.xy = max(farthest.xy, farthest.zw);
+  float low = min(nearest.x, nearest.y), high = max(farthest.x, farthest.y);
+  if (low == 1.0)
   {
     // What blocks may be nearer than the innermost tap can tell: then the shadow is hard.
     return shadowDepthMapFourTexels(layer, vec3(shadowDepthMapWrapped(layer, p.xy), p.z), slope);
   }
-  float penumbra = clamp(view.x * (p.z - sum / blockers), 0.5, view.y);
-  return shadowDepthMapKernel(layer, p, slope, penumbra, turn);
+
+  // The cone's radius where the slabs end, and in their middles; the last reaches to the receiver.
+  float widest = clamp(view.x * (p.z - low), 0.5, view.y);
+  float narrowest = clamp(view.x * (p.z - high), 0.5, view.y);
+  const vec4 slabs = vec4(0.25, 0.5, 0.75, 1.0);
+  vec4 ends = mix(vec4(widest), vec4(narrowest), slabs);
+  vec4 middles = mix(vec4(widest), vec4(narrowest), slabs - 0.125);
+  ends.w = 0.0;
+
+  // Taps are spread evenly over the area where all slabs are alike, else towards radii, each with its ring's weight.
+  float alike = narrowest / widest;
+  vec4 blocked = vec4(0.0), open = vec4(0.0);
+  for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
+  {
+    float share;
+    vec2 way = shadowDepthMapTap(tap, turn, share);
+    float root = sqrt(share);
+    float radius = mix(share, root, alike);
+    float weight = radius * mix(1.0, 0.5 / root, alike);
+    radius *= widest;
+    vec4 receiver;
+    vec2 f;
+    vec4 depth = shadowDepthMapAround(layer, before, plane, radius * way, receiver, f);
+    vec2 g = 1.0 - f;
+    vec4 parts = vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y) *
+      vec4(lessThan(depth, min(receiver, 1.0)));
+    float part = dot(parts, vec4(1.0));
+    float own = part > 0.0 ? view.x * (p.z - dot(parts, depth) / part) : -1.0;
+    vec4 upTo = part * step(ends, vec4(own));
+    own = clamp(own, 0.5, view.y);
+    vec4 overOwn = middles / own;
+    blocked += weight * clamp(own - radius + 0.5, 0.0, 1.0) * overOwn * overOwn *
+      (upTo - vec4(0.0, upTo.xyz));
+    open += weight * clamp(middles - radius + 0.5, 0.0, 1.0) * (1.0 - upTo);
+  }
+  vec4 told = open + blocked;
+  vec4 free = mix(vec4(1.0), open / max(told, 1e-6), vec4(greaterThan(told, vec4(1e-6))));
+  return free.x * free.y * free.z * free.w;
 }

@@ -59,6 +59,13 @@ void vtkPVShadowView::SetObjectDepths(bool combine)
 }
 
 //----------------------------------------------------------------------------
+void vtkPVShadowView::SetObjectType(const char* name)
+{
+  this->Shadows->GetObjectIDShadowPass()->SetObjectType(std::string(name ? name : ""));
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
 void vtkPVShadowView::SetTexturePerCaster(bool each)
 {
   this->Shadows->GetShadowTexturePass()->SetTexturePerCaster(each);

@@ -56,6 +56,13 @@ public:
   void SetObjectDepths(bool combine);
 
   /**
+   * What has an ID of its own in an object-ID map: "prop" (default), "block", "instance" or
+   * "piece"; see vtkObjectIDShadowPass::SetObjectType. Another name is an error and changes
+   * nothing.
+   */
+  void SetObjectType(const char* name);
+
+  /**
    * A shadow texture for each prop that casts (default off): see
    * vtkShadowTexturePass::SetTexturePerCaster.
    */

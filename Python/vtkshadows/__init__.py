@@ -187,8 +187,8 @@ def enable(
     maximum_distance : 0 or more (0: any): how far from the eye shadows reach, world units, for every light that
         the renderer has now.
     fade : 0 to 1 (0.1): the share of that distance over which they fade out before its end.
-    translucent_casters : how translucent props cast: "none" (default), "opaque", or "stochastic": by their
-        opacity, in a grain that wide filters smooth; see vtkShadowPass::SetTranslucentCasting.
+    translucent_casters : how translucent props cast: "none" (default), "opaque", "stochastic": by their
+        opacity, in a grain that wide filters smooth, or "transmittance": the same without grain, by "depth-map"; see vtkShadowPass::SetTranslucentCasting.
     radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
         stencil-volume, ray-cast and the filters "soft" and "sample-lights" of depth-map soften by it. World
         units; for a directional light the tangent of its half-angle.
@@ -1064,6 +1064,7 @@ _TRANSLUCENT_CASTERS = {
     "none": vtkShadowPass.TRANSLUCENT_NONE,
     "opaque": vtkShadowPass.TRANSLUCENT_OPAQUE,
     "stochastic": vtkShadowPass.TRANSLUCENT_STOCHASTIC,
+    "transmittance": vtkShadowPass.TRANSLUCENT_TRANSMITTANCE,
 }
 
 

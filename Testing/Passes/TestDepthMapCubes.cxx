@@ -3,6 +3,7 @@
 #include "ShadowTest.h"
 #include "TestScenes.h"
 
+#include <vtkCamera.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -281,6 +282,95 @@ TEST_F(DepthMapCubes, OnlyFacesWithCastersHaveMaps)
   const Frame lit = this->Render();
   Check("nothing receives: pixels unlike the unshadowed frame",
     static_cast<double>(CountDifferent(lit, this->RenderWithoutPass())), 0.0);
+}
+
+// A lamp between six walls with a ball before each. A face has a map only while a receiver that
+// looks into it is seen, once drawn it is kept, and the picture is that of an eye that sees all.
+TEST_F(DepthMapCubes, FacesOutOfSightHaveNoMap)
+{
+  const double wall = 4.0, thick = 0.1, half = 2.5;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      glm::dvec3 low(-half), high(half), ball(0.0);
+      low[axis] = side > 0.0 ? wall : -wall - thick;
+      high[axis] = low[axis] + thick;
+      ball[axis] = 2.5 * side;
+      AddBox(this->Renderer, low, high);
+      AddSphere(this->Renderer, ball, 0.4);
+    }
+  }
+  auto lamp = AddLamp(this->Renderer, { 0.0, 0.0, 0.0 });
+  this->Renderer->GetActiveCamera()->SetViewAngle(20.0);
+  const auto views = [this]() { return static_cast<double>(this->Maps()->GetNumberOfViews()); };
+
+  // At one wall from between the balls: that wall alone is seen.
+  LookAt(this->Renderer, { 1.2, 1.0, 0.0 }, { 4.0, 1.0, 0.1 });
+  this->CheckDrawn("one wall", 1.0);
+  Check("one wall: views", views(), 1.0);
+  EXPECT_GT(this->VisibilityOf(lamp).CountShadowed(), 500u);
+  LookAt(this->Renderer, { -1.2, 1.0, 0.0 }, { -4.0, 1.0, 0.1 });
+  this->CheckDrawn("the wall opposite", 1.0);
+  Check("the wall opposite: views", views(), 1.0);
+  LookAt(this->Renderer, { 1.2, 1.0, 0.0 }, { 4.0, 1.0, 0.1 });
+  this->CheckDrawn("back again", 0.0);
+  // From outside, past all of them.
+  LookAt(this->Renderer, { 30.0, 0.0, 0.0 }, { 60.0, 0.0, 0.1 });
+  this->Render();
+  Check("looking away: views", views(), 0.0);
+  Check("looking away: skipped lights",
+    static_cast<double>(this->Maps()->GetNumberOfSkippedLights()), 1.0);
+  this->Renderer->GetActiveCamera()->SetViewAngle(60.0);
+  LookAt(this->Renderer, { 14.0, -9.0, 7.0 }, { 0.0, 0.0, 0.0 });
+  this->Render();
+  Check("all of them: views", views(), 6.0);
+}
+
+// By lot: nothing that is seen differs from what a pass says whose maps are fitted to an eye that
+// sees all.
+TEST_F(DepthMapCubes, NothingSeenIsLeftOut)
+{
+  this->Maps()->SetResolution(256);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      glm::dvec3 low(-4.0), high(4.0), ball(0.3);
+      low[axis] = side > 0.0 ? 4.0 : -4.1;
+      high[axis] = low[axis] + 0.1;
+      ball[axis] = 2.0 * side;
+      AddBox(this->Renderer, low, high);
+      AddSphere(this->Renderer, ball, 0.5);
+    }
+  }
+  auto lamp = AddLamp(this->Renderer, { 0.0, 0.0, 0.0 });
+  vtkNew<vtkCamera> all;
+  all->SetPosition(0.0, -60.0, 0.0);
+  all->SetFocalPoint(0.0, 0.0, 0.0);
+  all->SetViewUp(0.0, 0.0, 1.0);
+  std::mt19937 random(5);
+  const auto any = [&random](double low, double high)
+  { return low + (high - low) * (random() / double(random.max())); };
+  int left = 0;
+  double unlike = 0.0;
+  for (int round = 0; round < 40; ++round)
+  {
+    this->Renderer->GetActiveCamera()->SetViewAngle(any(10.0, 90.0));
+    LookAt(this->Renderer, { any(-3.5, 3.5), any(-3.5, 3.5), any(-3.5, 3.5) },
+      { any(-4.0, 4.0), any(-4.0, 4.0), any(-4.0, 4.0) });
+    lamp->SetPosition(any(-0.5, 0.5), any(-0.5, 0.5), any(-0.5, 0.5));
+    this->Maps()->SetFitCamera(nullptr);
+    this->Render();
+    const Visibility seen = this->VisibilityOf(lamp);
+    left += 6 - this->Maps()->GetNumberOfViews();
+    this->Maps()->SetFitCamera(all);
+    this->Render();
+    unlike += static_cast<double>(CountDifferent(this->VisibilityOf(lamp), seen));
+    Check("fitted to an eye that sees all: views", this->Maps()->GetNumberOfViews(), 6.0);
+  }
+  Check("pixels unlike", unlike, 0.0);
+  CheckAtLeast("faces left out, of 240", left, 20.0);
 }
 
 TEST_F(DepthMapCubes, OnlyStaleMapsAreDrawn)

@@ -116,6 +116,7 @@ TEST_F(DepthMapFilters, HardLights)
 TEST_F(DepthMapFilters, EachIsAnother)
 {
   this->AddScene(false);
+  this->Render();
   std::vector<std::size_t> between;
   for (int filter = 0; filter < Pass::GetNumberOfFilters(); ++filter)
   {
@@ -188,6 +189,47 @@ TEST_F(DepthMapFilters, SoftLightsByLot)
     this->CheckSoft(what + ", soft", size, 0.04);
     this->Maps()->SetFilter(Pass::SAMPLE_LIGHTS);
     this->CheckSoft(what + ", sample lights", size, 0.01);
+  }
+}
+
+// Among thin things blockers lie at many depths: a bundle of tubes and arrows, and bars by lot.
+TEST_F(DepthMapFilters, SoftOnThinThings)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  this->Resize(320, 240);
+  this->Maps()->SetResolution(2048);
+  this->Maps()->SetFilter(Pass::SOFT);
+  for (const bool isSpot : { true, false })
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->RemoveAllLights();
+    const Subject subject = AddTubesAndGlyphs(this->Renderer);
+    this->Light = isSpot ? AddSpot(this->Renderer, { 4.0, -4.0, 7.0 }, { 0.0, 0.0, 0.4 }, 32.0)
+                         : AddSun(this->Renderer, { -0.5, 0.6, -1.0 });
+    AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+    this->CheckSoft(isSpot ? "tubes, spot" : "tubes, sun", isSpot ? 0.3 : 0.05, 0.04);
+  }
+  for (int seed = 1; seed <= 4; ++seed)
+  {
+    std::mt19937 random(seed);
+    const auto any = [&random](double low, double high)
+    { return low + (high - low) * (random() / double(random.max())); };
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->RemoveAllLights();
+    AddFloor(this->Renderer, 6.0);
+    for (int bar = 0; bar < 40; ++bar)
+    {
+      const glm::dvec3 low{ any(-2.0, 1.0), any(-2.0, 1.0), any(0.1, 2.5) };
+      glm::dvec3 size(any(0.02, 0.08));
+      size[bar % 3] = any(0.3, 2.0);
+      AddBox(this->Renderer, low, low + size);
+    }
+    const glm::dvec3 toward = Toward(any(0.0, 360.0), any(40.0, 80.0));
+    const bool isSun = seed % 2 == 0;
+    this->Light = isSun ? AddSun(this->Renderer, -toward) : AddLamp(this->Renderer, 9.0 * toward);
+    LookAt(this->Renderer, { 3.0, -8.0, 5.0 }, { 0.0, 0.0, 0.5 });
+    const double size = any(0.02, 0.1) * (isSun ? 1.0 : 9.0);
+    this->CheckSoft("bars, seed " + std::to_string(seed), size, 0.04);
   }
 }
 

@@ -31,26 +31,46 @@ protected:
     return pane;
   }
 
-  // Mean visibility of the floor under the panes, away from their rims, seen from beneath them.
-  double MeanUnderPanes(vtkLight* light)
+  struct Under
+  {
+    double mean = 0.0, least = 1.0, most = 0.0;
+  };
+
+  double MeanUnderPanes(vtkLight* light) { return this->UnderPanes(light).mean; }
+
+  // Visibility of the floor under the panes, away from their rims, seen from beneath them.
+  Under UnderPanes(vtkLight* light)
   {
     LookAt(this->Renderer, { 0.0, -6.0, 1.2 }, { 0.0, 0.0, 0.0 });
     this->Render();
     const Visibility seen = this->VisibilityOf(light);
     const Pixel low = PixelOf(this->Renderer, { -0.6, -0.8, 0.0 });
     const Pixel high = PixelOf(this->Renderer, { 0.6, 0.8, 0.0 });
+    Under under;
     double sum = 0.0;
     int count = 0;
     for (int y = low.y; y <= high.y; ++y)
     {
       for (int x = low.x; x <= high.x; ++x)
       {
-        sum += seen.At(x, y);
+        const double value = seen.At(x, y);
+        sum += value;
+        under.least = std::min(under.least, value);
+        under.most = std::max(under.most, value);
         ++count;
       }
     }
     EXPECT_GT(count, 500);
-    return sum / count;
+    under.mean = sum / count;
+    return under;
+  }
+
+  // Every pixel has this visibility, to the steps of a byte that holds each product.
+  void CheckUnderPanes(const std::string& what, vtkLight* light, double expected)
+  {
+    const Under under = this->UnderPanes(light);
+    Check(what + ": least", under.least, expected, 0.005);
+    Check(what + ": most", under.most, expected, 0.005);
   }
 };
 
@@ -86,6 +106,81 @@ TEST_F(WeakShadows, TranslucentCasters)
   // Opaque props are as ever.
   AddBox(this->Renderer, { -1.0, -1.0, 2.3 }, { 1.0, 1.0, 2.4 });
   Check("under an opaque box, too", this->MeanUnderPanes(sun), 0.0);
+}
+
+// The light times the product of 1 - opacity, without noise, in every view of a light and by every
+// filter.
+TEST_F(WeakShadows, Transmittance)
+{
+  AddFloor(this->Renderer, 4.0);
+  auto pane = this->AddPane(2.2, 0.3);
+  vtkDepthShadowMapPass* maps = this->Shadows->GetDepthShadowMapPass();
+  this->Shadows->SetTechnique("depth-map");
+  maps->SetResolution(512);
+  this->Shadows->SetTranslucentCasting(vtkShadowPass::TRANSLUCENT_TRANSMITTANCE);
+
+  const auto check = [&](const std::string& what, vtkLight* light)
+  {
+    pane->GetProperty()->SetOpacity(0.3);
+    this->CheckUnderPanes(what + ", an opacity of 0.3", light, 0.7);
+    pane->GetProperty()->SetOpacity(0.5);
+    auto second = this->AddPane(2.5, 0.6);
+    this->CheckUnderPanes(what + ", 0.5 over 0.6", light, 0.2);
+    auto box = AddBox(this->Renderer, { -1.0, -1.0, 2.3 }, { 1.0, 1.0, 2.4 });
+    this->CheckUnderPanes(what + ", under an opaque box, too", light, 0.0);
+    this->Renderer->RemoveViewProp(box);
+    this->Renderer->RemoveViewProp(second);
+  };
+  auto sun = AddSun(this->Renderer, { 0.0, 0.0, -1.0 });
+  check("sun", sun);
+  for (int filter = 0; filter < vtkDepthShadowMapPass::GetNumberOfFilters(); ++filter)
+  {
+    maps->SetFilter(filter);
+    this->CheckUnderPanes(vtkDepthShadowMapPass::GetFilterName(filter), sun, 0.5);
+  }
+  maps->SetFilter(vtkDepthShadowMapPass::PERCENTAGE_CLOSER);
+  for (const int bits : { 8, 16, 24 })
+  {
+    maps->SetDepthBits(bits);
+    this->CheckUnderPanes(std::to_string(bits) + " bits", sun, 0.5);
+  }
+  maps->SetDepthBits(32);
+  // What is far away makes one map's texels too large.
+  auto far = AddBox(this->Renderer, { -5.0, 400.0, 0.0 }, { 5.0, 410.0, 10.0 });
+  maps->SetNumberOfCascades(4);
+  check("cascades", sun);
+  CheckAtLeast("cascades", maps->GetNumberOfViews(), 2);
+  maps->SetNumberOfCascades(1);
+  this->Renderer->RemoveViewProp(far);
+  this->Renderer->RemoveLight(sun);
+  auto spot = AddSpot(this->Renderer, { 0.3, 0.0, 9.0 }, { 0.0, 0.0, 0.0 }, 30.0);
+  check("spot", spot);
+  this->Renderer->RemoveLight(spot);
+  auto lamp = AddLamp(this->Renderer, { 0.3, 0.0, 5.0 });
+  AddBox(this->Renderer, { 3.0, 3.0, 5.0 }, { 3.5, 3.5, 8.0 });
+  check("lamp amid casters", lamp);
+  LookAt(this->Renderer, { 0.0, -30.0, 10.0 }, { 0.0, 0.0, 3.0 });
+  this->Render();
+  CheckAtLeast("faces of its cube, seen from afar", maps->GetNumberOfViews(), 2);
+}
+
+// What stands between two panes has the share of both, and so has the second; a box's own top has
+// that of the pane above it alone, since what lies behind the box does not count.
+TEST_F(WeakShadows, TransmittanceBetween)
+{
+  AddFloor(this->Renderer, 4.0);
+  this->AddPane(3.0, 0.5);
+  AddBox(this->Renderer, { -0.8, -0.8, 1.5 }, { 0.8, 0.8, 1.6 });
+  this->AddPane(1.0, 0.5);
+  auto sun = AddSun(this->Renderer, { 0.0, 0.0, -1.0 });
+  this->Shadows->SetTechnique("depth-map");
+  this->Shadows->GetDepthShadowMapPass()->SetResolution(512);
+  this->Shadows->SetTranslucentCasting(vtkShadowPass::TRANSLUCENT_TRANSMITTANCE);
+  LookAt(this->Renderer, { 0.0, -6.0, 2.6 }, { 0.0, 0.0, 1.6 });
+  this->Render();
+  const Visibility seen = this->VisibilityOf(sun);
+  const Pixel top = PixelOf(this->Renderer, { 0.0, 0.0, 1.6 });
+  Check("top of the box", seen.At(top.x, top.y), 0.5, 0.005);
 }
 
 TEST_F(WeakShadows, TranslucentCastersOfTheExactFilter)
@@ -158,8 +253,8 @@ TEST_F(WeakShadows, BadSettings)
   ExpectOneMessage({ "SetLightMaximumDistance", "nan" });
   this->Shadows->SetLightFade(sun, 1.5);
   ExpectOneMessage({ "SetLightFade", "1.5", "0 to 1" });
-  this->Shadows->SetTranslucentCasting(3);
-  ExpectOneMessage({ "TranslucentCasting 3", "0 to 2" });
+  this->Shadows->SetTranslucentCasting(4);
+  ExpectOneMessage({ "TranslucentCasting 4", "0 to 3" });
   EXPECT_EQ(this->Shadows->GetLightMaximumDistance(sun), 0.0);
   EXPECT_EQ(this->Shadows->GetLightFade(sun), 0.1);
   EXPECT_EQ(this->Shadows->GetTranslucentCasting(), 0);
