@@ -844,6 +844,26 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowPass::SetCullHiddenFaces(bool culled)
+{
+  if (culled != this->GetCullHiddenFaces())
+  {
+    this->Internal->Shading->SetCullHiddenFaces(culled);
+    this->Modified();
+  }
+}
+
+bool vtkShadowPass::GetCullHiddenFaces() const
+{
+  return this->Internal->Shading->GetCullHiddenFaces();
+}
+
+int vtkShadowPass::GetNumberOfCulledReceivers() const
+{
+  return this->Internal->Shading->GetNumberOfCulledReceivers();
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::SetTimeStages(bool timed)
 {
   this->Internal->TimeStages = timed;
@@ -1701,5 +1721,6 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Lights with settings: " << this->Internal->Lights.size() << "\n";
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";
   os << indent << "DebugLight: " << this->Internal->DebugLight.GetPointer() << "\n";
+  os << indent << "CullHiddenFaces: " << this->GetCullHiddenFaces() << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
 }
