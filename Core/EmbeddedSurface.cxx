@@ -34,8 +34,7 @@ struct Corners
 };
 
 // Whether there is a gap between a and b on an axis; reach: no coordinate is farther from 0.
-bool HasGap(
-  const Corners& a, const Corners& b, const glm::dvec3& axis, const glm::dvec3& reach)
+bool HasGap(const Corners& a, const Corners& b, const glm::dvec3& axis, const glm::dvec3& reach)
 {
   const auto rangeOf = [&axis](const Corners& corners)
   {

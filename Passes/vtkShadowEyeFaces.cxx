@@ -4,6 +4,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
@@ -18,8 +19,8 @@ namespace
 
 using Side = vtkShadowHiddenFaces::Side;
 
-// The flags without their time stamp: a property that is newer than a mapper's buffers has VTK build
-// these anew.
+// The flags without their time stamp: a property that is newer than a mapper's buffers has VTK
+// build these anew.
 class Flags : public vtkProperty
 {
 public:
@@ -53,11 +54,12 @@ bool IsBeyondNear(const vtkshadows::BoxCorners& cornersWC, const glm::dmat4& cli
 bool IsPlain(vtkActor* actor, vtkMapper* mapper)
 {
   vtkProperty* property = actor->GetProperty();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
   return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
     !property->GetVertexVisibility() && !property->GetBackfaceCulling() &&
     !property->GetFrontfaceCulling() && !actor->GetForceOpaque() && !actor->GetForceTranslucent() &&
-    !actor->HasTranslucentPolygonalGeometry() && !mapper->GetClippingPlanes() &&
+    !actor->HasTranslucentPolygonalGeometry() && (!planes || planes->GetNumberOfItems() == 0) &&
     !(glyphs && glyphs->GetCullingAndLOD());
 }
 

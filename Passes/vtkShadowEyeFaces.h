@@ -23,6 +23,9 @@ public:
   // Properties as they were.
   void Restore();
 
+  // Whether more may be left out soon: a proof is being looked for.
+  bool IsUndecided() const { return this->Faces.IsSearching(); }
+
   // Actors whose hidden faces were left out at last.
   int NumberOfActors() const { return this->Count; }
 

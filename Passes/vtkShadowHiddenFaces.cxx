@@ -52,6 +52,10 @@ struct vtkShadowHiddenFaces::Search
   {
   }
   ~Search() { this->Cancelled = true; } // the future waits for its thread
+  bool IsOver() const
+  {
+    return this->IsEmbedded.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
 
   std::atomic<bool> Cancelled{ false };
   std::future<bool> IsEmbedded;
@@ -104,7 +108,7 @@ vtkShadowHiddenFaces::Side vtkShadowHiddenFaces::Of(
   }
   if (surface.Embedded)
   {
-    if (surface.Embedded->IsEmbedded.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    if (!surface.Embedded->IsOver())
     {
       return Side::None;
     }
@@ -115,6 +119,15 @@ vtkShadowHiddenFaces::Side vtkShadowHiddenFaces::Of(
   return surface.Hidden == Side::None || !isMirrored ? surface.Hidden
     : surface.Hidden == Side::Back                   ? Side::Front
                                                      : Side::Back;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowHiddenFaces::IsSearching() const
+{
+  bool isSearching = false;
+  this->Known.ForEach([&isSearching](const Surface& surface)
+    { isSearching = isSearching || (surface.Embedded && !surface.Embedded->IsOver()); });
+  return isSearching;
 }
 
 //------------------------------------------------------------------------------

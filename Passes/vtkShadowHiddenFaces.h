@@ -5,9 +5,9 @@
 // Whether a surface is closed takes a look at all its edges. It is taken when a shape is asked
 // about in a second frame, so that one that changes with every frame costs nothing.
 //
-// A closed surface that passes through itself may be seen from behind. A map of depths is hardly the
-// worse for that, a picture is. Whether one does takes much longer to find, so that a thread of its
-// own does it, and nothing is hidden until it is done.
+// A closed surface that passes through itself may be seen from behind. A map of depths is hardly
+// the worse for that, a picture is. Whether one does takes much longer to find, so that a thread of
+// its own does it, and nothing is hidden until it is done.
 #ifndef vtkShadowHiddenFaces_h
 #define vtkShadowHiddenFaces_h
 
@@ -56,6 +56,9 @@ public:
     const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
     const glm::dvec4& lightWC, bool mirrored = false);
 
+  // Whether a proof is being looked for.
+  bool IsSearching() const;
+
 private:
   struct Search;
   struct Surface
@@ -67,7 +70,7 @@ private:
 
     std::size_t FirstFrame = 0; // that asked about this shape
     bool Surveyed = false;
-    Side Hidden = Side::None; // of a matrix that does not mirror
+    Side Hidden = Side::None;         // of a matrix that does not mirror
     std::unique_ptr<Search> Embedded; // while it goes on
   };
   Proof Wanted;

@@ -827,7 +827,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   clock.EndFrame();
-  if (!renderer->GetSelector())
+  // Frames will take less time once it is known what need not be shaded.
+  if (!renderer->GetSelector() && !this->Internal->Shading->IsCullingUndecided())
   {
     this->Internal->Chooser.FrameDrawn(
       isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);

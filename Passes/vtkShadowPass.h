@@ -144,11 +144,11 @@ public:
 
   ///@{
   /**
-   * Leave out the faces of closed, opaque actors that are turned away from the eye (default on). The
-   * picture stays as it is, and a frame needs less time: half of the faces lie behind the others.
-   * It is done by VTK's own back-face culling, of actors that have none set, whose surface is proven
-   * not to pass through itself and lies beyond the near plane. The proof is made once a shape, in a
-   * thread of its own, when a second frame shows it. Not with a delegate pass.
+   * Leave out the faces of closed, opaque actors that are turned away from the eye (default on): a
+   * frame needs less time. The picture stays, but for single pixels on silhouettes where rounding
+   * had a far face in front. VTK's back-face culling does it, of actors that have none set, whose
+   * surface is proven not to pass through itself and lies beyond the near plane. The proof is made
+   * once a shape, in a thread of its own, when a second frame shows it. Not with a delegate pass.
    * GetNumberOfCulledReceivers: of how many actors they were left out in the last frame.
    */
   void SetCullHiddenFaces(bool culled);

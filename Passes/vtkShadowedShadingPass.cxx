@@ -342,6 +342,11 @@ int vtkShadowedShadingPass::GetNumberOfCulledReceivers() const
   return this->CullHiddenFaces ? this->EyeFaces->NumberOfActors() : 0;
 }
 
+bool vtkShadowedShadingPass::IsCullingUndecided() const
+{
+  return this->CullHiddenFaces && this->EyeFaces->IsUndecided();
+}
+
 //------------------------------------------------------------------------------
 void vtkShadowedShadingPass::Detach()
 {

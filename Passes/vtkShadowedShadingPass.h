@@ -94,8 +94,8 @@ public:
   void Attach(const vtkShadowFrame& frame);
   void Detach();
 
-  // Whether faces that the eye cannot see are left out while attached (see vtkShadowPass), and of
-  // how many actors they were.
+  // Whether faces that the eye cannot see are left out while attached (see vtkShadowPass), of how
+  // many actors they were, and whether it may soon be more.
   void SetCullHiddenFaces(bool culled)
   {
     this->CullHiddenFaces = culled;
@@ -105,6 +105,7 @@ public:
     return this->CullHiddenFaces;
   }
   int GetNumberOfCulledReceivers() const;
+  bool IsCullingUndecided() const;
 
   // Between UpdateVisibility of every technique in the plan and the frame's shading; Detach undoes
   // it.

@@ -15,7 +15,8 @@ using namespace vtkshadows;
 namespace
 {
 
-bool IsEmbedded(const TestMesh& mesh, double scale = 1.0, const glm::dvec3& offset = glm::dvec3(0.0))
+bool IsEmbedded(
+  const TestMesh& mesh, double scale = 1.0, const glm::dvec3& offset = glm::dvec3(0.0))
 {
   std::vector<glm::vec3> points;
   for (const glm::dvec3& p : mesh.points)
@@ -65,8 +66,9 @@ TestMesh Globe(unsigned int rings, unsigned int sides, const Place& place)
       mesh.points.push_back(place(double(side) / sides, double(ring) / rings));
     }
   }
-  const auto at = [&](unsigned int ring, unsigned int side)
-  { return ring == 0 ? 0 : ring == rings ? 1 : 2 + (ring - 1) * sides + side % sides; };
+  const auto at = [&](unsigned int ring, unsigned int side) {
+    return ring == 0 ? 0 : ring == rings ? 1 : 2 + (ring - 1) * sides + side % sides;
+  };
   for (unsigned int ring = 0; ring < rings; ++ring)
   {
     for (unsigned int side = 0; side < sides; ++side)
@@ -91,9 +93,9 @@ glm::dvec3 OnBall(double u, double v)
 //------------------------------------------------------------------------------
 TEST(EmbeddedSurface, ClosedOnesAreProven)
 {
-  for (const TestMesh& mesh : { Tetrahedron(), Cube(), UnweldedCube(), InsideOutCube(),
-         Torus(60, 30), Globe(40, 60, OnBall),
-         Prism({ { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1.2, 1.5 }, { 0, 1 } }) })
+  for (const TestMesh& mesh :
+    { Tetrahedron(), Cube(), UnweldedCube(), InsideOutCube(), Torus(60, 30), Globe(40, 60, OnBall),
+      Prism({ { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1.2, 1.5 }, { 0, 1 } }) })
   {
     EXPECT_TRUE(IsEmbedded(mesh)) << mesh.name;
   }
