@@ -1,5 +1,6 @@
 #include "vtkShadowHiddenFaces.h"
 
+#include "EmbeddedSurface.h"
 #include "ShadowReach.h"
 #include "vtkShadowCasterMesh.h"
 #include "vtkShadowOpenGL.h"
@@ -9,6 +10,10 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <utility>
 
 namespace
 {
@@ -16,9 +21,8 @@ namespace
 using Side = vtkShadowHiddenFaces::Side;
 
 // What a light outside need not see of the whole surface, if all of it is closed and wound alike.
-Side Survey(const vtkShadowScene::Piece& piece)
+Side Survey(const vtkShadowCasterMesh& caster)
 {
-  const vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
   const std::vector<vtkshadows::MeshPiece>& pieces = caster.Mesh.pieces;
   if (!caster.Skipped.empty() || pieces.empty())
   {
@@ -38,6 +42,32 @@ bool HoldsLight(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC)
 }
 
 }
+
+//------------------------------------------------------------------------------
+struct vtkShadowHiddenFaces::Search
+{
+  explicit Search(vtkshadows::ShadowMesh<float> mesh)
+    : IsEmbedded(std::async(std::launch::async,
+        [this, mesh = std::move(mesh)] { return vtkshadows::IsEmbedded(mesh, this->Cancelled); }))
+  {
+  }
+  ~Search() { this->Cancelled = true; } // the future waits for its thread
+  bool IsOver() const
+  {
+    return this->IsEmbedded.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
+
+  std::atomic<bool> Cancelled{ false };
+  std::future<bool> IsEmbedded;
+};
+
+vtkShadowHiddenFaces::Surface::Surface() = default;
+vtkShadowHiddenFaces::Surface::Surface(Surface&&) noexcept = default;
+vtkShadowHiddenFaces::Surface& vtkShadowHiddenFaces::Surface::operator=(
+  Surface&&) noexcept = default;
+vtkShadowHiddenFaces::Surface::~Surface() = default;
+
+vtkShadowHiddenFaces::~vtkShadowHiddenFaces() = default;
 
 //------------------------------------------------------------------------------
 void vtkShadowHiddenFaces::BeginFrame(const std::vector<vtkShadowScene::Prop>& props)
@@ -68,13 +98,36 @@ vtkShadowHiddenFaces::Side vtkShadowHiddenFaces::Of(
   }
   if (!surface.Surveyed)
   {
-    surface.Hidden = Survey(piece);
+    vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
+    surface.Hidden = Survey(caster);
     surface.Surveyed = true;
+    if (this->Wanted == Proof::Embedded && surface.Hidden != Side::None)
+    {
+      surface.Embedded = std::make_unique<Search>(std::move(caster.Mesh));
+    }
+  }
+  if (surface.Embedded)
+  {
+    if (!surface.Embedded->IsOver())
+    {
+      return Side::None;
+    }
+    surface.Hidden = surface.Embedded->IsEmbedded.get() ? surface.Hidden : Side::None;
+    surface.Embedded.reset();
   }
   const bool isMirrored = glm::determinant(glm::dmat3(piece.WorldFromModel)) < 0.0;
   return surface.Hidden == Side::None || !isMirrored ? surface.Hidden
     : surface.Hidden == Side::Back                   ? Side::Front
                                                      : Side::Back;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowHiddenFaces::IsSearching() const
+{
+  bool isSearching = false;
+  this->Known.ForEach([&isSearching](const Surface& surface)
+    { isSearching = isSearching || (surface.Embedded && !surface.Embedded->IsOver()); });
+  return isSearching;
 }
 
 //------------------------------------------------------------------------------

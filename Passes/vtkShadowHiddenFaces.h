@@ -4,6 +4,10 @@
 //
 // Whether a surface is closed takes a look at all its edges. It is taken when a shape is asked
 // about in a second frame, so that one that changes with every frame costs nothing.
+//
+// A closed surface that passes through itself may be seen from behind. A map of depths is hardly
+// the worse for that, a picture is. Whether one does takes much longer to find, so that a thread of
+// its own does it, and nothing is hidden until it is done.
 #ifndef vtkShadowHiddenFaces_h
 #define vtkShadowHiddenFaces_h
 
@@ -12,6 +16,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -20,12 +25,24 @@ class vtkProp;
 class vtkShadowHiddenFaces
 {
 public:
+  ~vtkShadowHiddenFaces();
+
   enum class Side
   {
     None,
     Back, // as wound and drawn: clockwise, seen from the light
     Front
   };
+
+  enum class Proof
+  {
+    Closed,
+    Embedded // and does not pass through itself
+  };
+  explicit vtkShadowHiddenFaces(Proof proof = Proof::Closed)
+    : Wanted(proof)
+  {
+  }
 
   // A new frame, of these props: others are forgotten.
   void BeginFrame(const std::vector<vtkShadowScene::Prop>& props);
@@ -39,13 +56,24 @@ public:
     const std::vector<vtkShadowScene::Prop>& props, const std::vector<std::size_t>& casters,
     const glm::dvec4& lightWC, bool mirrored = false);
 
+  // Whether a proof is being looked for.
+  bool IsSearching() const;
+
 private:
+  struct Search;
   struct Surface
   {
+    Surface();
+    Surface(Surface&&) noexcept;
+    Surface& operator=(Surface&&) noexcept;
+    ~Surface();
+
     std::size_t FirstFrame = 0; // that asked about this shape
     bool Surveyed = false;
-    Side Hidden = Side::None; // of a matrix that does not mirror
+    Side Hidden = Side::None;         // of a matrix that does not mirror
+    std::unique_ptr<Search> Embedded; // while it goes on
   };
+  Proof Wanted;
   std::size_t Frame = 0;
   vtkShadowByPiece<Surface> Known;
 };

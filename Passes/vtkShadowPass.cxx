@@ -827,7 +827,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     this->NumberOfRenderedProps = s->GetPropArrayCount();
   }
   clock.EndFrame();
-  if (!renderer->GetSelector())
+  // Frames will take less time once it is known what need not be shaded.
+  if (!renderer->GetSelector() && !this->Internal->Shading->IsCullingUndecided())
   {
     this->Internal->Chooser.FrameDrawn(
       isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
@@ -841,6 +842,26 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
     this->Internal->End();
     this->Internal->ReleaseWhatWasTried(frame.Window);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetCullHiddenFaces(bool culled)
+{
+  if (culled != this->GetCullHiddenFaces())
+  {
+    this->Internal->Shading->SetCullHiddenFaces(culled);
+    this->Modified();
+  }
+}
+
+bool vtkShadowPass::GetCullHiddenFaces() const
+{
+  return this->Internal->Shading->GetCullHiddenFaces();
+}
+
+int vtkShadowPass::GetNumberOfCulledReceivers() const
+{
+  return this->Internal->Shading->GetNumberOfCulledReceivers();
 }
 
 //------------------------------------------------------------------------------
@@ -1701,5 +1722,6 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Lights with settings: " << this->Internal->Lights.size() << "\n";
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";
   os << indent << "DebugLight: " << this->Internal->DebugLight.GetPointer() << "\n";
+  os << indent << "CullHiddenFaces: " << this->GetCullHiddenFaces() << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
 }

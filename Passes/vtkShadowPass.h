@@ -144,6 +144,21 @@ public:
 
   ///@{
   /**
+   * Leave out the faces of closed, opaque actors that are turned away from the eye (default on): a
+   * frame needs less time. The picture stays, but for single pixels on silhouettes where rounding
+   * had a far face in front. VTK's back-face culling does it, of actors that have none set, whose
+   * surface is proven not to pass through itself and lies beyond the near plane. The proof is made
+   * once a shape, in a thread of its own, when a second frame shows it. Not with a delegate pass.
+   * GetNumberOfCulledReceivers: of how many actors they were left out in the last frame.
+   */
+  void SetCullHiddenFaces(bool culled);
+  bool GetCullHiddenFaces() const;
+  vtkBooleanMacro(CullHiddenFaces, bool);
+  int GetNumberOfCulledReceivers() const;
+  ///@}
+
+  ///@{
+  /**
    * Shadow strength of one light, 0 (lit everywhere, and nothing is computed) to 1 (default: no
    * light where it is not seen). Clamped.
    */

@@ -5,6 +5,7 @@
 #include "vtkShadowCatcherFS.h"
 #include "vtkShadowCatchers.h"
 #include "vtkShadowDitherFS.h"
+#include "vtkShadowEyeFaces.h"
 #include "vtkShadowLightFalloffs.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
@@ -169,6 +170,7 @@ void AppendToMain(std::string& source, const std::string& code)
 vtkShadowedShadingPass::vtkShadowedShadingPass()
   : Catchers(new vtkShadowCatchers)
   , Falloffs(new vtkShadowLightFalloffs)
+  , EyeFaces(new vtkShadowEyeFaces)
 {
 }
 
@@ -242,6 +244,10 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
     this->ShaderStage.Modified();
   }
   this->Falloffs->Gather(frame, this->Plan);
+  if (this->CullHiddenFaces)
+  {
+    this->EyeFaces->LeaveOut(frame);
+  }
   std::unordered_set<vtkProp*> dithered;
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
@@ -331,8 +337,20 @@ bool vtkShadowedShadingPass::Tells(
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowedShadingPass::GetNumberOfCulledReceivers() const
+{
+  return this->CullHiddenFaces ? this->EyeFaces->NumberOfActors() : 0;
+}
+
+bool vtkShadowedShadingPass::IsCullingUndecided() const
+{
+  return this->CullHiddenFaces && this->EyeFaces->IsUndecided();
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowedShadingPass::Detach()
 {
+  this->EyeFaces->Restore();
   for (vtkShadowTechniquePass* technique : this->Techniques)
   {
     technique->DeactivateTextures();

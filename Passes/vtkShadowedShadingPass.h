@@ -37,6 +37,7 @@ class vtkOpenGLState;
 class vtkTexture;
 class vtkShadowCasterCamera;
 class vtkShadowCatchers;
+class vtkShadowEyeFaces;
 class vtkShadowLightFalloffs;
 struct vtkShadowFrame;
 namespace vtkshadows
@@ -93,6 +94,19 @@ public:
   // Put this pass among the render passes of every prop of the scene, and take it away again.
   void Attach(const vtkShadowFrame& frame);
   void Detach();
+
+  // Whether faces that the eye cannot see are left out while attached (see vtkShadowPass), of how
+  // many actors they were, and whether it may soon be more.
+  void SetCullHiddenFaces(bool culled)
+  {
+    this->CullHiddenFaces = culled;
+  }
+  bool GetCullHiddenFaces() const
+  {
+    return this->CullHiddenFaces;
+  }
+  int GetNumberOfCulledReceivers() const;
+  bool IsCullingUndecided() const;
 
   // Between UpdateVisibility of every technique in the plan and the frame's shading; Detach undoes
   // it.
@@ -203,6 +217,8 @@ private:
   vtkNew<vtkShadowCasterCamera> CasterCamera;
   std::unique_ptr<vtkShadowCatchers> Catchers;
   std::unique_ptr<vtkShadowLightFalloffs> Falloffs;
+  std::unique_ptr<vtkShadowEyeFaces> EyeFaces;
+  bool CullHiddenFaces = true;
   std::string FalloffFault; // as it was last told
   bool DepthClamped = false;
 };
