@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace vtkshadows
@@ -125,6 +126,17 @@ std::string BenchRun::Key() const
     key << "|" << this->axis << "=" << this->value;
   }
   return key.str();
+}
+
+std::string BenchRun::SceneName() const
+{
+  std::ostringstream name;
+  name << this->scene;
+  if (!this->axis.empty() && this->axis != "samples")
+  {
+    name << ", " << this->axis << " " << std::setprecision(9) << this->value;
+  }
+  return name.str();
 }
 
 bool BenchRun::HasSceneOf(const BenchRun& other) const
