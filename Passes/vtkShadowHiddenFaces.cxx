@@ -20,7 +20,7 @@ Side Survey(const vtkShadowScene::Piece& piece)
 {
   const vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
   const std::vector<vtkshadows::MeshPiece>& pieces = caster.Mesh.pieces;
-  if (!caster.Fault.empty() || !caster.Skipped.empty() || pieces.empty())
+  if (!caster.Skipped.empty() || pieces.empty())
   {
     return Side::None;
   }

@@ -113,7 +113,7 @@ vtkShadowTriangleMaps::Caster& vtkShadowTriangleMaps::CasterOf(const vtkShadowSc
     {
       Caster caster;
       vtkShadowCasterMesh built = vtkShadowCasterMesh::Build(piece);
-      caster.IsTriangles = built.Fault.empty() && built.Skipped.empty();
+      caster.IsTriangles = built.Skipped.empty();
       if (caster.IsTriangles)
       {
         caster.Neighbours =

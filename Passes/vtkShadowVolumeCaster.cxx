@@ -9,8 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <cmath>
-
 using vtkshadows::CastingFaces;
 
 namespace
@@ -52,38 +50,42 @@ vtkShadowVolumeCaster::~vtkShadowVolumeCaster()
 bool vtkShadowVolumeCaster::Update(
   vtkOpenGLRenderWindow* window, const vtkShadowScene::Piece& piece)
 {
-  const bool isStale = this->Shape != piece.Shape || this->Window.GetPointer() != window;
+  const bool inWorld = vtkShadowCasterMesh::FloatsCannotInvert(piece.WorldFromModel);
+  const std::vector<std::uint64_t>& from = inWorld ? piece.Signature : piece.Shape;
+  const bool isStale =
+    this->InWorld != inWorld || this->BuiltFrom != from || this->Window.GetPointer() != window;
   if (isStale)
   {
     this->Release();
     this->Window = window;
-    this->Shape = piece.Shape;
+    this->InWorld = inWorld;
+    this->BuiltFrom = from;
     this->Rebuild(piece);
   }
-  this->WorldFromCaster = piece.WorldFromModel * this->ModelFromCaster;
-  const double determinant = glm::determinant(glm::dmat3(this->WorldFromCaster));
-  this->Mirrored = determinant < 0.0;
-  const bool isSingular = !(std::abs(determinant) > 0.0) || !std::isfinite(determinant);
-  this->Fault = isSingular && !this->IsEmpty()
-    ? "a matrix that flattens it or is not finite (its determinant is " +
-      std::to_string(determinant) + ")"
-    : this->MeshFault;
+  if (!inWorld)
+  {
+    this->WorldFromCaster = piece.WorldFromModel * this->ModelFromCaster;
+  }
+  this->Mirrored = glm::determinant(glm::dmat3(this->WorldFromCaster)) < 0.0;
   return isStale;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumeCaster::Rebuild(const vtkShadowScene::Piece& piece)
 {
-  vtkShadowCasterMesh caster = vtkShadowCasterMesh::Build(piece);
+  vtkShadowCasterMesh caster = this->InWorld
+    ? vtkShadowCasterMesh::BuildInWorld(piece, this->WorldFromCaster)
+    : vtkShadowCasterMesh::Build(piece);
   this->ModelFromCaster = caster.ModelFromCaster;
   this->Skipped = caster.Skipped;
-  this->MeshFault = caster.Fault;
+  this->NotFinite = caster.NotFinite;
+  this->Fault.clear();
   this->Mesh = std::move(caster.Mesh);
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   if (this->Mesh.points.size() > static_cast<std::size_t>(most))
   {
-    this->MeshFault = std::to_string(this->Mesh.points.size()) + " points, more than the " +
+    this->Fault = std::to_string(this->Mesh.points.size()) + " points, more than the " +
       std::to_string(most) + " that this OpenGL driver takes at once";
     this->Mesh = {};
   }
@@ -263,5 +265,5 @@ void vtkShadowVolumeCaster::Release()
   this->PointTexture = 0;
   this->PointBuffer = 0;
   this->PointBytes = 0;
-  this->Shape.clear();
+  this->BuiltFrom.clear();
 }

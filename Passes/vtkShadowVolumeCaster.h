@@ -3,7 +3,9 @@
 //
 // All in the caster's own coordinates (see vtkShadowCasterMesh.h). The same floats by the same
 // matrix give the same pixels and depths, so that a cap ties with the surface that it lies on; and
-// an actor that moves changes nothing but where the light is.
+// an actor that moves changes nothing but where the light is. Only a caster whose matrix flattens
+// it, so that no light can be taken back through it, is built in world coordinates, and anew when
+// its matrix changes.
 #ifndef vtkShadowVolumeCaster_h
 #define vtkShadowVolumeCaster_h
 
@@ -31,8 +33,10 @@ public:
   // Follow `piece`; true if its mesh was built anew. The window's context must be current.
   bool Update(vtkOpenGLRenderWindow* window, const vtkShadowScene::Piece& piece);
 
-  // Why the whole caster is left out, or what of it; empty: nothing.
+  // Why the whole caster is left out; a point at which it has no triangles; what of it has no
+  // triangles at all. Empty: nothing.
   const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetNotFinite() const { return this->NotFinite; }
   const std::string& GetSkipped() const { return this->Skipped; }
   bool IsEmpty() const { return this->Mesh.NumberOfTriangles() == 0; }
 
@@ -84,8 +88,9 @@ private:
   void UploadPoints();
   static bool Upload(const vtkshadows::VolumeEmitter<float>& emitter, Volume& volume);
 
-  std::vector<std::uint64_t> Shape;
-  std::string MeshFault, Fault, Skipped; // of the shape alone, and with the matrix
+  std::vector<std::uint64_t> BuiltFrom; // the piece's shape, or its signature if InWorld
+  bool InWorld = false;
+  std::string Fault, NotFinite, Skipped;
   vtkshadows::ShadowMesh<float> Mesh;
   glm::dmat4 ModelFromCaster{ 1.0 }, WorldFromCaster{ 1.0 };
   bool Mirrored = false;

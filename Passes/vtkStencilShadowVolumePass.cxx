@@ -188,7 +188,7 @@ void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
   }
   for (const vtkShadowScene::Prop& prop : frame.Scene->GetProps())
   {
-    std::string fault, skipped;
+    std::string fault, notFinite, skipped;
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
       if (!prop.Casts)
@@ -199,6 +199,7 @@ void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
       caster.Used = true;
       this->NumberOfMeshBuilds += caster.Update(frame.Window, piece) ? 1 : 0;
       fault = caster.GetFault().empty() ? fault : caster.GetFault();
+      notFinite = caster.GetNotFinite().empty() ? notFinite : caster.GetNotFinite();
       skipped = caster.GetSkipped().empty() ? skipped : caster.GetSkipped();
       if (caster.GetFault().empty() && !caster.IsEmpty())
       {
@@ -213,13 +214,20 @@ void vtkStencilShadowVolumePass::UpdateCasters(const vtkShadowFrame& frame)
     {
       message << fault << ": it casts no shadow. Repair it, or clean its input.";
     }
+    else if (!notFinite.empty())
+    {
+      message << notFinite
+              << ": its faces there cast no shadow, the others do. Repair the point, or clean the "
+                 "input.";
+    }
     else if (!skipped.empty())
     {
       message << skipped
               << ": shadow volumes have none of that. Use \"depth-map\", or give it a surface "
                  "(vtkTubeFilter, vtkGlyph3DMapper).";
     }
-    this->WarnOnce(prop.Source, fault.empty() && skipped.empty() ? "" : message.str());
+    const bool isWhole = fault.empty() && notFinite.empty() && skipped.empty();
+    this->WarnOnce(prop.Source, isWhole ? "" : message.str());
   }
   for (auto it = my.Known.begin(); it != my.Known.end();)
   {
