@@ -1,6 +1,7 @@
 #include "Jobs.h"
 
 #include "BenchEstimate.h"
+#include "BenchExtremes.h"
 #include "BenchJournal.h"
 #include "BenchMeasurer.h"
 #include "BenchPage.h"
@@ -163,6 +164,30 @@ std::unique_ptr<Stage> OpenStage(const Options& options, Progress& progress)
   return std::make_unique<Stage>(BenchWindow(options.bench));
 }
 
+void MeasureExtremes(Stage& stage, BenchJournal& journal, Progress& progress)
+{
+  std::vector<std::string> open;
+  for (const std::string& name : LightExtremes())
+  {
+    if (!journal.HasExtreme(name))
+    {
+      open.push_back(name);
+    }
+  }
+  if (open.empty())
+  {
+    return;
+  }
+  progress.Note("extremes: " + std::to_string(open.size()) + " cases, a few minutes");
+  BenchExtremes extremes(stage);
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    progress.Begin(
+      std::to_string(i) + " of " + std::to_string(open.size()) + " extremes done: " + open[i]);
+    journal.AddExtreme(open[i], extremes.Measure(open[i]));
+  }
+}
+
 void WriteReport(const BenchJournal& journal, const std::string& planKey, const fs::path& folder,
   Progress& progress)
 {
@@ -256,6 +281,10 @@ void RunBench(const Options& options, Progress& progress)
       " settings; " + agenda.Say());
     measurer.MeasureScene(scenes[i]);
     agenda.EndScene();
+  }
+  if (options.bench.extremes)
+  {
+    MeasureExtremes(*stage, journal, progress);
   }
   std::vector<std::string> order;
   for (const BenchRun& run : plan)

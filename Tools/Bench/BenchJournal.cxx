@@ -84,6 +84,10 @@ void BenchJournal::Keep(const Json& entry)
       std::remove_if(this->scenes.begin(), this->scenes.end(), same), this->scenes.end());
     this->scenes.push_back(facts);
   }
+  if (entry.contains("extreme"))
+  {
+    this->extremes[entry["extreme"]] = entry["figures"];
+  }
   if (entry.contains("begin"))
   {
     this->begun = entry["begin"];
@@ -117,6 +121,25 @@ void BenchJournal::Append(const Json& entry)
       "choose another place, or make room there");
   }
   this->Keep(entry);
+}
+
+void BenchJournal::AddExtreme(const std::string& name, const Json& figures)
+{
+  this->Append({ { "extreme", name }, { "figures", figures } });
+}
+
+BenchJournal::Json BenchJournal::Extremes(const std::vector<std::string>& order) const
+{
+  Json all = Json::array();
+  for (const std::string& name : order)
+  {
+    const auto found = this->extremes.find(name);
+    if (found != this->extremes.end())
+    {
+      all.insert(all.end(), found->second.begin(), found->second.end());
+    }
+  }
+  return all;
 }
 
 void BenchJournal::Begin(const std::string& key)

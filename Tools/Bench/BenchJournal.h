@@ -28,6 +28,12 @@ public:
   void SetMachine(const Json& machine);
   void AddScene(const Json& facts);
   void AddRow(const Json& row);
+  // What each technique made of an extreme; see ExtremeFigures.h.
+  void AddExtreme(const std::string& name, const Json& figures);
+  bool HasExtreme(const std::string& name) const { return this->extremes.count(name) > 0; }
+  // Of all, technique by technique, in this order of names.
+  Json Extremes(const std::vector<std::string>& order) const;
+
   // That a run is being worked on. Where the journal ended twice in one, it is not tried again:
   // AddRow a failure in place of it.
   void Begin(const std::string& key);
@@ -51,6 +57,7 @@ private:
   std::vector<Json> scenes;
   std::vector<Json> rows;
   std::set<std::string> keys;
+  std::map<std::string, Json> extremes;
   bool isResumed = false;          // and nothing begun since
   std::string begun;               // and no row of it since
   std::map<std::string, int> ends; // how often the journal ended in a run
