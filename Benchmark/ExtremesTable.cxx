@@ -3,27 +3,10 @@
 //     [--technique NAME] [--json FILE]
 //
 // `--json FILE` writes the same figures for programs: an array with one object a case and
-// technique, case by case in the order of the table, techniques in the order of its columns. null
-// stands where there is no such figure. The file is written anew after each case, so that it is
+// technique, case by case in the order of the table, techniques in the order of its columns. Their
+// names are in Scenes/ExtremeFigures.h. The file is written anew after each case, so that it is
 // whole if the run is ended early.
-//   case                 string, "scale by points 1e-12": the kind and the value, with a blank
-//   kind, value          strings, "scale by points" and "1e-12"
-//   looks_plain          whether it shows what the plain still life shows, so that pictures compare
-//   heavy                whether it is left out without --heavy
-//   beyond               whether it is beyond what floats, VTK or a technique can (see Extremes.h)
-//   technique            string, "depth-map", or with a filter of it "depth-map exact"
-//   drawn                whether a visibility came (without lights: a frame)
-//   frame_unlike_percent of pixels of VTK's own frame without shadows, against the plain one's;
-//                        null unless looks_plain
-//   truth_alike_percent  of pixels of the truth, against the plain one's; null unless looks_plain
-//   alike_percent        of pixels of the technique's visibility, against its plain one's; null
-//                        unless looks_plain
-//   receivers, shadowed, uncertain, mismatch, gross
-//                        pixels, of the first and last light together (see vtkShadowErrorMeasure)
-//   mismatch_percent     of receivers; null if there are none
-//   opengl_error         the code of OpenGL's error, 0: none
-//   messages             array of strings, what VTK or the technique said
-#include "ExtremeMeasure.h"
+#include "ExtremeFigures.h"
 #include "VtkMessages.h"
 
 #include <vtkNew.h>
@@ -126,38 +109,6 @@ std::string Share(double percent)
   return percent < 0.0 ? "" : text;
 }
 
-nlohmann::ordered_json NumberOrNull(double value, bool isThere)
-{
-  return isThere ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
-nlohmann::ordered_json ObjectOf(const ExtremeCase& extreme, const std::string& technique,
-  double unlike, const ExtremeOutcome& outcome, const std::vector<std::string>& messages)
-{
-  nlohmann::ordered_json object;
-  object["case"] = extreme.Name();
-  object["kind"] = extreme.kind;
-  object["value"] = extreme.value;
-  object["looks_plain"] = extreme.looksPlain;
-  object["heavy"] = extreme.isHeavy;
-  object["beyond"] = extreme.isBeyond;
-  object["technique"] = technique;
-  object["drawn"] = outcome.made;
-  object["frame_unlike_percent"] = NumberOrNull(unlike, unlike >= 0.0);
-  object["truth_alike_percent"] =
-    NumberOrNull(outcome.truthAgreement, outcome.truthAgreement >= 0.0);
-  object["alike_percent"] = NumberOrNull(outcome.agreement, outcome.agreement >= 0.0);
-  object["receivers"] = outcome.receivers;
-  object["shadowed"] = outcome.shadowed;
-  object["uncertain"] = outcome.uncertain;
-  object["mismatch"] = outcome.mismatch;
-  object["gross"] = outcome.gross;
-  object["mismatch_percent"] = NumberOrNull(outcome.MismatchPercent(), outcome.receivers > 0);
-  object["opengl_error"] = outcome.openGLError;
-  object["messages"] = messages;
-  return object;
-}
-
 void WriteJson(const nlohmann::ordered_json& list, const std::string& file)
 {
   std::ofstream out(file);
@@ -219,7 +170,7 @@ void Print(const Options& options)
       {
         said.push_back(technique + ": " + message);
       }
-      list.push_back(ObjectOf(extreme, technique, unlike, last, messages));
+      list.push_back(ExtremeFigures(extreme, technique, unlike, last, messages));
     }
     if (!options.json.empty())
     {

@@ -1,5 +1,7 @@
 #include "Jobs.h"
 
+#include "BenchEstimate.h"
+#include "BenchExtremes.h"
 #include "BenchJournal.h"
 #include "BenchMeasurer.h"
 #include "BenchPage.h"
@@ -12,9 +14,11 @@
 #include "Progress.h"
 #include "SharedSteps.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 namespace vtkshadows
 {
@@ -60,33 +64,92 @@ void RequireScenesFiles(const BenchOptions& bench)
   }
 }
 
-// "12 of 187, about 3 min left".
-class Remaining
+using Runs = std::vector<const BenchRun*>;
+
+// Runs of the same scene that follow each other.
+std::vector<Runs> ByScene(const Runs& runs)
+{
+  std::vector<Runs> scenes;
+  for (const BenchRun* run : runs)
+  {
+    if (scenes.empty() || !scenes.back().front()->HasSceneOf(*run))
+    {
+      scenes.emplace_back();
+    }
+    scenes.back().push_back(run);
+  }
+  return scenes;
+}
+
+BenchJournal::Json FailedRow(const BenchRun& run)
+{
+  BenchJournal::Json row = DescribeRun(run);
+  row["failure"] = "the bench ended in it twice; measure it alone, in another folder";
+  return row;
+}
+
+// What is still to be measured, and how long that takes.
+class Agenda
 {
 public:
-  explicit Remaining(std::size_t runs)
-    : total(runs)
+  Agenda(const BenchJournal& journal, const std::vector<BenchRun>& plan)
   {
-  }
-  std::string Next()
-  {
-    const std::chrono::duration<double> taken = Clock::now() - this->begin;
-    std::string text = std::to_string(++this->done) + " of " + std::to_string(this->total);
-    if (this->done > 3)
+    for (const BenchRun& run : plan)
     {
-      const double each = taken.count() / static_cast<double>(this->done - 1);
-      const double left = each * static_cast<double>(this->total - this->done + 1);
-      text += left < 90.0 ? ", about " + std::to_string(int(left)) + " s left"
-                          : ", about " + std::to_string(int(left / 60.0 + 0.5)) + " min left";
+      if (!journal.HasRow(run.Key()))
+      {
+        this->open.push_back(&run);
+      }
     }
-    return text;
+    this->total = this->open.size();
+    for (const BenchJournal::Json& row : journal.Rows())
+    {
+      this->estimate.AddRow(row);
+    }
+  }
+
+  const Runs& Open() const { return this->open; }
+
+  void BeginScene(std::size_t scenesLeft)
+  {
+    this->scenes = static_cast<int>(scenesLeft);
+    this->sceneBegin = Clock::now();
+    this->rowsSeconds = 0.0;
+  }
+  // How long the scene took beside its rows, for those that follow.
+  void EndScene()
+  {
+    const std::chrono::duration<double> taken = Clock::now() - this->sceneBegin;
+    this->estimate.AddScene(std::max(taken.count() - this->rowsSeconds, 0.0));
+  }
+  void EndRow(const BenchJournal::Json& row)
+  {
+    this->estimate.AddRow(row);
+    if (row.contains("seconds"))
+    {
+      this->rowsSeconds +=
+        row["seconds"].value("prepare", 0.0) + row["seconds"].value("timing", 0.0);
+    }
+    const auto isIt = [&row](const BenchRun* run) { return run->Key() == row["key"]; };
+    this->open.erase(std::remove_if(this->open.begin(), this->open.end(), isIt), this->open.end());
+  }
+
+  // "12 of 187 done, about 3 min left".
+  std::string Say() const
+  {
+    const std::string time = BenchEstimate::Say(this->estimate.Of(this->open, this->scenes));
+    return std::to_string(this->total - this->open.size()) + " of " + std::to_string(this->total) +
+      " done" + (time.empty() ? "" : ", " + time + " left");
   }
 
 private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point begin = Clock::now();
-  std::size_t total;
-  std::size_t done = 0;
+  Runs open;
+  std::size_t total = 0;
+  BenchEstimate estimate;
+  int scenes = 0;
+  Clock::time_point sceneBegin;
+  double rowsSeconds = 0.0;
 };
 
 std::unique_ptr<Stage> OpenStage(const Options& options, Progress& progress)
@@ -99,6 +162,30 @@ std::unique_ptr<Stage> OpenStage(const Options& options, Progress& progress)
   }
   ProvideDisplay();
   return std::make_unique<Stage>(BenchWindow(options.bench));
+}
+
+void MeasureExtremes(Stage& stage, BenchJournal& journal, Progress& progress)
+{
+  std::vector<std::string> open;
+  for (const std::string& name : LightExtremes())
+  {
+    if (!journal.HasExtreme(name))
+    {
+      open.push_back(name);
+    }
+  }
+  if (open.empty())
+  {
+    return;
+  }
+  progress.Note("extremes: " + std::to_string(open.size()) + " cases, a few minutes");
+  BenchExtremes extremes(stage);
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    progress.Begin(
+      std::to_string(i) + " of " + std::to_string(open.size()) + " extremes done: " + open[i]);
+    journal.AddExtreme(open[i], extremes.Measure(open[i]));
+  }
 }
 
 void WriteReport(const BenchJournal& journal, const std::string& planKey, const fs::path& folder,
@@ -152,36 +239,59 @@ void RunBench(const Options& options, Progress& progress)
     NoteNoErrors(progress);
   }
 
-  std::vector<const BenchRun*> open;
-  for (const BenchRun& run : plan)
+  Agenda agenda(journal, plan);
+  if (agenda.Open().size() < plan.size())
   {
-    if (!journal.HasRow(run.Key()))
-    {
-      open.push_back(&run);
-    }
-  }
-  if (open.size() < plan.size())
-  {
-    progress.Note("going on: " + std::to_string(plan.size() - open.size()) + " of " +
+    progress.Note("going on: " + std::to_string(plan.size() - agenda.Open().size()) + " of " +
       std::to_string(plan.size()) + " are measured");
   }
-  BenchMeasurer measurer(*stage, options, progress,
-    [&folder](const std::string& name, const std::string& bytes)
-    {
-      OutputFiles picture({});
-      picture.Add(folder / "pictures" / name, bytes);
-      picture.Commit();
-    });
-  Remaining remaining(open.size());
   std::size_t failures = 0;
-  for (const BenchRun* run : open)
+  BenchMeasurer::Listener listener;
+  listener.picture = [&folder](const std::string& name, const std::string& bytes)
   {
-    progress.Begin(remaining.Next() + ": " + run->Key());
-    const BenchJson row =
-      measurer.Measure(*run, [&journal](const BenchJson& facts) { journal.AddScene(facts); });
+    OutputFiles picture({});
+    picture.Add(folder / "pictures" / name, bytes);
+    picture.Commit();
+  };
+  listener.scene = [&journal](const BenchJson& facts) { journal.AddScene(facts); };
+  listener.begin = [&](const BenchRun& run)
+  {
+    journal.Begin(run.Key());
+    progress.Begin(agenda.Say() + ": " + run.Key());
+  };
+  listener.row = [&](const BenchJson& row)
+  {
     failures += row["failure"].is_null() ? 0 : 1;
     journal.AddRow(row);
+    agenda.EndRow(row);
+  };
+  for (const BenchRun& run : plan)
+  {
+    if (!journal.HasRow(run.Key()) && journal.EndedTwiceIn(run.Key()))
+    {
+      listener.row(FailedRow(run));
+    }
   }
+  BenchMeasurer measurer(*stage, options, listener);
+  const std::vector<Runs> scenes = ByScene(agenda.Open());
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+  {
+    agenda.BeginScene(scenes.size() - i);
+    progress.Note(scenes[i].front()->SceneName() + ": " + std::to_string(scenes[i].size()) +
+      " settings; " + agenda.Say());
+    measurer.MeasureScene(scenes[i]);
+    agenda.EndScene();
+  }
+  if (options.bench.extremes)
+  {
+    MeasureExtremes(*stage, journal, progress);
+  }
+  std::vector<std::string> order;
+  for (const BenchRun& run : plan)
+  {
+    order.push_back(run.Key());
+  }
+  journal.SortRows(order);
   WriteReport(journal, planKey, folder, progress);
   if (!options.quiet)
   {

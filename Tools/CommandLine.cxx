@@ -201,12 +201,15 @@ CLI::App* AddBench(CLI::App& app, RawOptions& raw)
   command->add_flag("--fast", bench.fast, "small scenes, few settings, a few minutes");
   command->add_flag("--sweeps", bench.sweeps,
     "also cost against triangles, lights, pixels and samples, with the fitted exponent");
+  command->add_flag("--extremes", bench.extremes,
+    "also what each technique makes of scales, offsets, lights and meshes that try its numbers");
   command->add_flag(
     "--resume", bench.resume, "go on with the bench in the folder, which was cut off");
   command->add_flag("--list", bench.list, "say the names of scenes and settings, and no more");
   command
     ->add_option("--seconds", bench.seconds,
-      "of timing, for each setting and scene, at least 3 rounds; default: 2, fast 0.2")
+      "of timing, for each setting and scene, in short visits, 3 at least where they are not slow; "
+      "default: 1.5, fast 0.2")
     ->type_name("S");
   command->add_option("--frames", raw.frames, "rounds of timing, whatever they take")
     ->type_name("N");

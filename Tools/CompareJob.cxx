@@ -73,8 +73,7 @@ public:
     }
 
     this->progress.Begin("timing " + technique);
-    const FrameTimings timings =
-      TimeFrames(this->stage, { this->options.frames, 0.0 }, this->progress);
+    const FrameTimings timings = TimeFrames(this->stage, this->options.frames, this->progress);
     for (ReportRow& row : rows)
     {
       row.timings = timings;

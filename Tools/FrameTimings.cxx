@@ -1,21 +1,17 @@
 #include "FrameTimings.h"
 
+#include "MovingStage.h"
 #include "Progress.h"
 #include "Stage.h"
 
-#include <vtkCamera.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkRenderer.h>
 #include <vtkShadowPass.h>
 #include <vtkStringArray.h>
 
-#include <glm/gtc/constants.hpp>
-
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <functional>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace vtkshadows
@@ -26,130 +22,10 @@ namespace
 constexpr int DefaultRounds = 15;
 constexpr int FewestRounds = 3;
 
-// For "auto" to notice what moves, and to make its choice.
-constexpr int FewestFramesOfChoice = 4;
-constexpr int MostFramesOfChoice = 200;
-
-// Of one frame. The camera swings to and fro by degrees; lights circle by a share of the scene.
-constexpr double CameraStep = 0.4;
-constexpr int CameraSteps = 10;
-constexpr double LightCircle = 0.01;
-constexpr double LightStep = 0.7; // radians
-
-struct Placement
+// Turning the pass on or off has VTK look its shaders up again, so the frame after it is not timed.
+TimingRound TimeRound(Stage& stage, MovingStage& motion)
 {
-  glm::dvec3 position{ 0.0 };
-  glm::dvec3 focalPoint{ 0.0 };
-};
-
-// Moves the camera and the lights of a stage, and puts all back when it goes.
-class MovingStage
-{
-public:
-  explicit MovingStage(Stage& stage);
-  ~MovingStage();
-  MovingStage(const MovingStage&) = delete;
-  MovingStage& operator=(const MovingStage&) = delete;
-
-  void SwingCamera();
-  void RestCamera();
-  void CircleLights();
-  void RestLights();
-
-private:
-  Stage& stage;
-  vtkNew<vtkCamera> camera;
-  std::vector<Placement> lights;
-  int cameraFrame = 0;
-  int lightFrame = 0;
-};
-
-MovingStage::MovingStage(Stage& movedStage)
-  : stage(movedStage)
-{
-  this->camera->DeepCopy(this->stage.Renderer()->GetActiveCamera());
-  for (vtkLight* light : this->stage.Lights())
-  {
-    Placement placement;
-    light->GetPosition(&placement.position.x);
-    light->GetFocalPoint(&placement.focalPoint.x);
-    this->lights.push_back(placement);
-  }
-}
-
-MovingStage::~MovingStage()
-{
-  this->RestCamera();
-  this->RestLights();
-  this->stage.ShowShadows(true);
-}
-
-void MovingStage::SwingCamera()
-{
-  this->RestCamera();
-  const int phase = ++this->cameraFrame % (2 * CameraSteps);
-  const double angle = CameraStep * (std::abs(phase - CameraSteps) - 0.5 * CameraSteps);
-  this->stage.Renderer()->GetActiveCamera()->Azimuth(angle);
-  this->stage.Renderer()->ResetCameraClippingRange();
-}
-
-void MovingStage::RestCamera()
-{
-  this->stage.Renderer()->GetActiveCamera()->DeepCopy(this->camera);
-}
-
-void MovingStage::CircleLights()
-{
-  const double angle = LightStep * ++this->lightFrame;
-  const SceneAxes& axes = this->stage.Axes();
-  for (std::size_t i = 0; i < this->lights.size(); ++i)
-  {
-    vtkLight* light = this->stage.Lights()[i];
-    const double scale = light->GetPositional() ? this->stage.Extent().Size() : 1.0;
-    const glm::dvec3 position = this->lights[i].position +
-      LightCircle * scale * (std::cos(angle) * axes.right + std::sin(angle) * axes.forward);
-    light->SetPosition(position.x, position.y, position.z);
-  }
-}
-
-void MovingStage::RestLights()
-{
-  for (std::size_t i = 0; i < this->lights.size(); ++i)
-  {
-    const Placement& placement = this->lights[i];
-    vtkLight* light = this->stage.Lights()[i];
-    light->SetPosition(placement.position.x, placement.position.y, placement.position.z);
-    light->SetFocalPoint(placement.focalPoint.x, placement.focalPoint.y, placement.focalPoint.z);
-  }
-}
-
-double RenderMilliseconds(Stage& stage)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  stage.Window().Render();
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-  return taken.count();
-}
-
-double Median(std::vector<double> values)
-{
-  const std::size_t middle = values.size() / 2;
-  std::sort(values.begin(), values.end());
-  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-// One frame of each kind, milliseconds. Turning the pass on or off has VTK look its shaders up
-// again, so the frame after it is not timed.
-struct Round
-{
-  double unshadowed = 0.0;
-  double still = 0.0;
-  double moving = 0.0;
-};
-
-Round TimeRound(Stage& stage, MovingStage& motion)
-{
-  Round round;
+  TimingRound round;
   stage.ShowShadows(false);
   motion.SwingCamera();
   stage.Window().Render();
@@ -169,125 +45,27 @@ Round TimeRound(Stage& stage, MovingStage& motion)
   return round;
 }
 
-double Quantile(std::vector<double> values, double share)
+int CountOf(int rounds, const TimingRound& warmUp)
 {
-  std::sort(values.begin(), values.end());
-  const double at = share * static_cast<double>(values.size() - 1);
-  const std::size_t low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
-}
-
-double Spread(const std::vector<double>& values)
-{
-  return 0.5 * (Quantile(values, 0.75) - Quantile(values, 0.25));
-}
-
-int RoundsFor(const Round& warmUp)
-{
+  if (rounds > 0)
+  {
+    return rounds;
+  }
   const double slowest = std::max({ warmUp.unshadowed, warmUp.still, warmUp.moving });
   const int affordable = static_cast<int>(DefaultRounds * 1000.0 / std::max(slowest, 1000.0));
   return std::max(affordable, FewestRounds);
 }
 
-// One frame of each kind, for what is slow: what the first of them costs more than another counts
-// little there.
-Round TimeFewFrames(Stage& stage, MovingStage& motion)
-{
-  Round round;
-  stage.ShowShadows(false);
-  stage.Window().Render();
-  motion.SwingCamera();
-  round.unshadowed = RenderMilliseconds(stage);
-  stage.ShowShadows(true);
-  motion.SwingCamera();
-  round.still = RenderMilliseconds(stage);
-  motion.CircleLights();
-  round.moving = RenderMilliseconds(stage);
-  return round;
-}
-
-// All that a round draws, the frames that are not timed included.
-double RoundSeconds(const Round& round)
-{
-  return 0.001 * (2.0 * round.unshadowed + 2.0 * round.still + round.moving);
-}
-
-int CountOf(const TimingPlan& plan, const Round& warmUp)
-{
-  if (plan.rounds > 0)
-  {
-    return plan.rounds;
-  }
-  return plan.seconds > 0.0 ? static_cast<int>(std::clamp(plan.seconds / RoundSeconds(warmUp),
-                                double(FewestRounds), double(DefaultRounds)))
-                            : RoundsFor(warmUp);
-}
-
-class Rounds
-{
-public:
-  void Add(const Round& round)
-  {
-    this->unshadowed.push_back(round.unshadowed);
-    this->AddStill(round);
-    this->AddMoving(round);
-  }
-
-  void AddStill(const Round& round)
-  {
-    this->still.push_back(round.still);
-    this->stillRatio.push_back(round.still / round.unshadowed);
-    this->stillCost.push_back(round.still - round.unshadowed);
-  }
-
-  void AddMoving(const Round& round)
-  {
-    this->moving.push_back(round.moving);
-    this->movingRatio.push_back(round.moving / round.unshadowed);
-    this->movingCost.push_back(round.moving - round.unshadowed);
-  }
-
-  void AddUnshadowed(double milliseconds) { this->unshadowed.push_back(milliseconds); }
-
-  FrameTimings Medians() const
-  {
-    FrameTimings timings;
-    timings.unshadowedMilliseconds = Median(this->unshadowed);
-    timings.staticMilliseconds = Median(this->still);
-    timings.movingMilliseconds = Median(this->moving);
-    timings.staticRatio = Median(this->stillRatio);
-    timings.movingRatio = Median(this->movingRatio);
-    timings.staticCost = Median(this->stillCost);
-    timings.movingCost = Median(this->movingCost);
-    timings.staticSpread = Spread(this->still);
-    timings.movingSpread = Spread(this->moving);
-    timings.rounds = static_cast<int>(this->still.size());
-    return timings;
-  }
-
-private:
-  std::vector<double> unshadowed, still, moving;
-  std::vector<double> stillRatio, movingRatio, stillCost, movingCost;
-};
-
-bool HasChoice(Stage& stage)
-{
-  vtkShadowPass* shadows = stage.Shadows();
-  return std::any_of(stage.Lights().begin(), stage.Lights().end(),
-    [shadows](vtkLight* light) { return shadows->GetLightTechnique(light) == "auto"; });
-}
-
 // "auto" chooses otherwise while lights move: frames of each kind in a row of their own, once the
 // choice is made, and turn by turn with those without shadows.
 void TimeChoice(
-  Stage& stage, MovingStage& motion, const TimingPlan& plan, Rounds& rounds, Progress& progress)
+  Stage& stage, MovingStage& motion, int wanted, TimingRounds& rounds, Progress& progress)
 {
   const auto swing = [&motion]() { motion.SwingCamera(); };
   const auto circle = [&motion]() { motion.CircleLights(); };
   const auto pair = [&stage, &motion, &swing](const std::function<void()>& move)
   {
-    Round round;
+    TimingRound round;
     stage.ShowShadows(false);
     swing();
     stage.Window().Render();
@@ -300,62 +78,38 @@ void TimeChoice(
     round.still = round.moving = RenderMilliseconds(stage);
     return round;
   };
-  vtkshadows::SettleChoice(stage, swing);
-  const int count = CountOf(plan, pair(swing));
+  SettleChoice(stage, swing);
+  const int count = CountOf(wanted, pair(swing));
   for (int i = 0; i < count; ++i)
   {
     progress.Update(0.5 * i / count);
-    const Round round = pair(swing);
-    rounds.AddUnshadowed(round.unshadowed);
-    rounds.AddStill(round);
+    const TimingRound round = pair(swing);
+    rounds.AddStill(round.unshadowed, round.still);
   }
   motion.RestCamera();
-  vtkshadows::SettleChoice(stage, circle);
+  SettleChoice(stage, circle);
   for (int i = 0; i < count; ++i)
   {
     progress.Update(0.5 + 0.5 * i / count);
-    rounds.AddMoving(pair(circle));
+    const TimingRound round = pair(circle);
+    rounds.AddMoving(round.unshadowed, round.moving);
   }
   motion.RestLights();
 }
 
 }
 
-void SettleChoice(Stage& stage, const std::function<void()>& move)
-{
-  stage.ShowShadows(true);
-  for (int i = 0; i < MostFramesOfChoice; ++i)
-  {
-    move();
-    stage.Window().Render();
-    if (i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled())
-    {
-      return;
-    }
-  }
-}
-
-FrameTimings TimeFrames(Stage& stage, const TimingPlan& plan, Progress& progress)
+FrameTimings TimeFrames(Stage& stage, int wantedRounds, Progress& progress)
 {
   MovingStage motion(stage);
-  Rounds rounds;
-  if (HasChoice(stage))
+  TimingRounds rounds;
+  if (stage.IsChosen())
   {
-    TimeChoice(stage, motion, plan, rounds, progress);
+    TimeChoice(stage, motion, wantedRounds, rounds, progress);
     return rounds.Medians();
   }
-  if (plan.rounds == 0 && plan.seconds > 0.0)
-  {
-    stage.ShowShadows(true);
-    if (0.001 * RenderMilliseconds(stage) > plan.seconds)
-    {
-      rounds.Add(TimeFewFrames(stage, motion));
-      return rounds.Medians();
-    }
-  }
   TimeRound(stage, motion);
-  const Round warmUp = TimeRound(stage, motion);
-  const int count = CountOf(plan, warmUp);
+  const int count = CountOf(wantedRounds, TimeRound(stage, motion));
   for (int i = 0; i < count; ++i)
   {
     progress.Update(static_cast<double>(i) / count);
@@ -404,16 +158,15 @@ double MedianMilliseconds(const std::vector<double>& seconds)
 
 }
 
-std::vector<StageTimings> TimeStages(Stage& stage)
+std::vector<StageTimings> TimeStages(Stage& stage, int frames)
 {
-  constexpr int Frames = 3;
   MovingStage motion(stage);
   SamplesByStage still, moving;
   std::vector<std::string> names;
   stage.ShowShadows(true);
   stage.Window().Render();
   stage.Shadows()->SetTimeStages(true);
-  for (int i = 0; i < Frames; ++i)
+  for (int i = 0; i < frames; ++i)
   {
     motion.RestLights();
     motion.SwingCamera();

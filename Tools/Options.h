@@ -18,6 +18,7 @@ struct BenchOptions
   std::string settings;            // see MatchesPatterns
   bool fast = false;
   bool sweeps = false;
+  bool extremes = false;
   bool resume = false;
   bool list = false;             // say the names of scenes and settings, and do nothing
   std::optional<double> seconds; // of timing, a run

@@ -69,7 +69,7 @@ Report Measure(Stage& stage, const Options& options, Progress& progress)
   }
 
   progress.Begin("timing frames");
-  const FrameTimings timings = TimeFrames(stage, { options.frames, 0.0 }, progress);
+  const FrameTimings timings = TimeFrames(stage, options.frames, progress);
   for (ReportRow& row : report.rows)
   {
     row.timings = timings;

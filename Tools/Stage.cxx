@@ -155,15 +155,26 @@ SceneFacts Stage::ShowScene(const std::string& name, SceneSize size)
   return facts;
 }
 
+vtkSmartPointer<vtkShadowPass> Stage::MakeShadows(bool soft)
+{
+  auto pass = vtkSmartPointer<vtkShadowPass>::New();
+  for (std::size_t light = 0; light < this->lights.size(); ++light)
+  {
+    this->GiveLightSettings(pass, light, soft);
+  }
+  return pass;
+}
+
+void Stage::UseShadows(vtkShadowPass* pass)
+{
+  this->shadows = pass;
+  this->UsePass(nullptr);
+}
+
 void Stage::RenewShadows(bool soft)
 {
   this->shadows->ReleaseGraphicsResources(this->renderer->GetVTKWindow());
-  this->shadows = vtkSmartPointer<vtkShadowPass>::New();
-  for (std::size_t light = 0; light < this->lights.size(); ++light)
-  {
-    this->GiveLightSettings(light, soft);
-  }
-  this->UsePass(nullptr);
+  this->UseShadows(this->MakeShadows(soft));
 }
 
 void Stage::UsePass(vtkRenderPass* pass)
@@ -273,29 +284,29 @@ void Stage::AddLight(const LightSpec& spec)
   this->renderer->AddLight(light);
   this->lights.push_back(light);
   this->lightSpecs.push_back(spec);
-  this->GiveLightSettings(this->lights.size() - 1, true);
+  this->GiveLightSettings(this->shadows, this->lights.size() - 1, true);
 }
 
-void Stage::GiveLightSettings(std::size_t index, bool soft)
+void Stage::GiveLightSettings(vtkShadowPass* pass, std::size_t index, bool soft)
 {
   vtkLight* light = this->lights[index];
   const LightSpec& spec = this->lightSpecs[index];
-  this->shadows->SetLightRadius(light, soft ? spec.radius : 0.0);
-  this->shadows->SetLightStrength(light, spec.strength);
-  this->shadows->SetLightMaximumDistance(light, spec.distance);
-  this->shadows->SetLightFade(light, spec.fade);
+  pass->SetLightRadius(light, soft ? spec.radius : 0.0);
+  pass->SetLightStrength(light, spec.strength);
+  pass->SetLightMaximumDistance(light, spec.distance);
+  pass->SetLightFade(light, spec.fade);
   if (spec.kind == LightKind::Spot)
   {
-    this->shadows->SetLightSmoothCone(light, spec.falloff);
+    pass->SetLightSmoothCone(light, spec.falloff);
   }
   if (!spec.texture.empty())
   {
-    this->shadows->SetLightTexture(light, ReadTexture("--light @texture", spec.texture));
-    this->shadows->SetLightTextureUp(light, this->axes.up.x, this->axes.up.y, this->axes.up.z);
+    pass->SetLightTexture(light, ReadTexture("--light @texture", spec.texture));
+    pass->SetLightTextureUp(light, this->axes.up.x, this->axes.up.y, this->axes.up.z);
   }
   if (!spec.technique.empty())
   {
-    this->shadows->SetLightTechnique(light, spec.technique);
+    pass->SetLightTechnique(light, spec.technique);
   }
 }
 

@@ -62,8 +62,12 @@ public:
   // Another size of the window. Throws Failure if it is too large.
   void Resize(const WindowSize& size);
 
-  // A shadow pass in place of the one there was, with every setting as it is made, but for what the
-  // lights were given; and of their radii if they are to be soft.
+  // A shadow pass with every setting as it is made, but for what the lights were given; and of
+  // their radii if they are to be soft.
+  vtkSmartPointer<vtkShadowPass> MakeShadows(bool soft);
+  // In place of the one there was, which keeps what it has on the GPU.
+  void UseShadows(vtkShadowPass* pass);
+  // A pass as MakeShadows has it, in place of the one there was, which lets go of the GPU.
   void RenewShadows(bool soft);
 
   // A pass that ShowShadows shows in place of the shadow pass; nullptr: that one again.
@@ -103,7 +107,7 @@ private:
   void AddFloor(const FloorSpec& floor);
   void OpenWindow(const WindowSize& size);
   void AddLight(const LightSpec& spec);
-  void GiveLightSettings(std::size_t light, bool soft);
+  void GiveLightSettings(vtkShadowPass* pass, std::size_t light, bool soft);
   void PlaceCamera(const CameraSpec& spec);
 
   OffscreenWindow window;

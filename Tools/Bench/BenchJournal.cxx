@@ -26,6 +26,7 @@ BenchJournal::BenchJournal(
       "add --resume to go on with it, or choose another folder");
   }
   this->Read(planKey);
+  this->isResumed = true;
 }
 
 void BenchJournal::Read(const std::string& planKey)
@@ -83,9 +84,27 @@ void BenchJournal::Keep(const Json& entry)
       std::remove_if(this->scenes.begin(), this->scenes.end(), same), this->scenes.end());
     this->scenes.push_back(facts);
   }
-  if (entry.contains("row") && this->keys.insert(entry["row"].value("key", "")).second)
+  if (entry.contains("extreme"))
   {
-    this->rows.push_back(entry["row"]);
+    this->extremes[entry["extreme"]] = entry["figures"];
+  }
+  if (entry.contains("begin"))
+  {
+    this->begun = entry["begin"];
+  }
+  if (entry.contains("resumed") && !this->begun.empty())
+  {
+    ++this->ends[this->begun];
+    this->begun.clear();
+  }
+  if (entry.contains("row"))
+  {
+    const std::string key = entry["row"].value("key", "");
+    this->begun = this->begun == key ? "" : this->begun;
+    if (this->keys.insert(key).second)
+    {
+      this->rows.push_back(entry["row"]);
+    }
   }
 }
 
@@ -102,6 +121,61 @@ void BenchJournal::Append(const Json& entry)
       "choose another place, or make room there");
   }
   this->Keep(entry);
+}
+
+void BenchJournal::AddExtreme(const std::string& name, const Json& figures)
+{
+  this->Append({ { "extreme", name }, { "figures", figures } });
+}
+
+BenchJournal::Json BenchJournal::Extremes(const std::vector<std::string>& order) const
+{
+  Json all = Json::array();
+  for (const std::string& name : order)
+  {
+    const auto found = this->extremes.find(name);
+    if (found != this->extremes.end())
+    {
+      all.insert(all.end(), found->second.begin(), found->second.end());
+    }
+  }
+  return all;
+}
+
+void BenchJournal::Begin(const std::string& key)
+{
+  if (this->isResumed)
+  {
+    this->Append({ { "resumed", true } });
+    this->isResumed = false;
+  }
+  if (this->begun != key)
+  {
+    this->Append({ { "begin", key } });
+  }
+}
+
+bool BenchJournal::EndedTwiceIn(const std::string& key) const
+{
+  const auto found = this->ends.find(key);
+  const int before = found == this->ends.end() ? 0 : found->second;
+  return before + (this->isResumed && this->begun == key ? 1 : 0) >= 2;
+}
+
+void BenchJournal::SortRows(const std::vector<std::string>& order)
+{
+  std::map<std::string, std::size_t> places;
+  for (const std::string& key : order)
+  {
+    places.emplace(key, places.size());
+  }
+  const auto place = [&places](const Json& row)
+  {
+    const auto found = places.find(row.value("key", ""));
+    return found == places.end() ? places.size() : found->second;
+  };
+  std::stable_sort(this->rows.begin(), this->rows.end(),
+    [&place](const Json& a, const Json& b) { return place(a) < place(b); });
 }
 
 void BenchJournal::SetMachine(const Json& newMachine)

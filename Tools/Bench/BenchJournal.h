@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +28,19 @@ public:
   void SetMachine(const Json& machine);
   void AddScene(const Json& facts);
   void AddRow(const Json& row);
+  // What each technique made of an extreme; see ExtremeFigures.h.
+  void AddExtreme(const std::string& name, const Json& figures);
+  bool HasExtreme(const std::string& name) const { return this->extremes.count(name) > 0; }
+  // Of all, technique by technique, in this order of names.
+  Json Extremes(const std::vector<std::string>& order) const;
+
+  // That a run is being worked on. Where the journal ended twice in one, it is not tried again:
+  // AddRow a failure in place of it.
+  void Begin(const std::string& key);
+  bool EndedTwiceIn(const std::string& key) const;
+
+  // Rows in the order of these keys; those that have none of them behind.
+  void SortRows(const std::vector<std::string>& order);
 
   bool HasRow(const std::string& key) const { return this->keys.count(key) > 0; }
   const Json& Machine() const { return this->machine; }
@@ -43,6 +57,10 @@ private:
   std::vector<Json> scenes;
   std::vector<Json> rows;
   std::set<std::string> keys;
+  std::map<std::string, Json> extremes;
+  bool isResumed = false;          // and nothing begun since
+  std::string begun;               // and no row of it since
+  std::map<std::string, int> ends; // how often the journal ended in a run
 };
 
 }

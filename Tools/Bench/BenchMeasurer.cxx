@@ -1,10 +1,11 @@
 #include "BenchMeasurer.h"
 
 #include "Failure.h"
+#include "FrameTimings.h"
 #include "Measurement.h"
+#include "MovingStage.h"
 #include "PeerShadows.h"
 #include "Pictures.h"
-#include "Progress.h"
 #include "VtkMessages.h"
 
 #include <vtkImageData.h>
@@ -19,12 +20,22 @@
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <chrono>
+#include <exception>
+#include <random>
 #include <thread>
+#include <utility>
 
 namespace vtkshadows
 {
 namespace
 {
+
+// What the passes of a scene's settings may hold together; others are made anew for each visit.
+constexpr std::int64_t MostMemoryKept = std::int64_t(1) << 30;
+
+// Of the time of a setting: where a frame takes more of it, its stages are those of a single one.
+constexpr double StagesShare = 0.1;
 
 std::string NameOf(LightKind kind)
 {
@@ -112,64 +123,120 @@ void PutTimings(BenchJson& row, const FrameTimings& timings)
   row["ratio_moving"] = timings.movingRatio;
   row["cost_ms_static"] = timings.staticCost;
   row["cost_ms_moving"] = timings.movingCost;
+  row["spread_ratio_static"] = timings.staticRatioSpread;
+  row["spread_ratio_moving"] = timings.movingRatioSpread;
   row["rounds"] = timings.rounds;
-}
-
-BenchJson DescribeRun(const BenchRun& run)
-{
-  BenchJson row;
-  row["key"] = run.Key();
-  row["scene"] = run.scene;
-  row["setting"] = run.setting.name;
-  row["technique"] = run.setting.technique;
-  row["soft"] = run.setting.soft;
-  row["resolution"] = run.setting.resolution ? BenchJson(run.setting.resolution) : nullptr;
-  row["samples"] = run.setting.samples ? BenchJson(run.setting.samples) : nullptr;
-  row["axis"] = run.axis.empty() ? BenchJson(nullptr) : BenchJson(run.axis);
-  row["value"] = run.axis.empty() ? BenchJson(nullptr) : BenchJson(run.value);
-  row["width"] = run.window.width;
-  row["height"] = run.window.height;
-  return row;
 }
 
 }
 
 //------------------------------------------------------------------------------
-BenchMeasurer::BenchMeasurer(
-  Stage& usedStage, const Options& givenOptions, Progress& shownProgress, Pictures takePictures)
+BenchMeasurer::BenchMeasurer(Stage& usedStage, const Options& givenOptions, Listener givenListener)
   : stage(usedStage)
   , options(givenOptions)
-  , progress(shownProgress)
-  , pictures(std::move(takePictures))
+  , listener(std::move(givenListener))
 {
 }
 
 BenchMeasurer::~BenchMeasurer() = default;
 
-BenchJson BenchMeasurer::Measure(
-  const BenchRun& run, const std::function<void(const BenchJson&)>& sceneShown)
+void BenchMeasurer::MeasureScene(const std::vector<const BenchRun*>& runs)
 {
-  BenchJson row = DescribeRun(run);
-  this->ShowScene(run, sceneShown);
-  row["triangles"] = this->stage.NumberOfTriangles();
-  row["lights"] = this->stage.Lights().size();
-  row["failure"] = nullptr;
+  Entrants entrants;
+  std::int64_t kept = 0;
+  for (const BenchRun* run : runs)
+  {
+    auto entrant = std::make_unique<BenchEntrant>(this->stage, *run);
+    this->listener.begin(*run);
+    entrant->row = DescribeRun(*run);
+    const bool isMeasured = this->Try(*entrant,
+      [&]()
+      {
+        this->ShowScene(*run);
+        this->Prepare(*entrant);
+      });
+    if (!isMeasured || entrant->IsTimed(BenchTiming(this->options)))
+    {
+      this->Finish(*entrant);
+      continue;
+    }
+    entrant->isKept = kept + entrant->Memory() <= MostMemoryKept;
+    if (entrant->isKept)
+    {
+      kept += entrant->Memory();
+    }
+    else
+    {
+      entrant->Drop();
+    }
+    entrants.push_back(std::move(entrant));
+  }
+  this->TimeInTurn(std::move(entrants));
+}
+
+bool BenchMeasurer::Try(BenchEntrant& entrant, const std::function<void()>& work)
+{
+  entrant.row["failure"] = nullptr;
   TakeVtkWarnings();
   try
   {
-    this->MeasureInto(row, run);
+    work();
   }
-  catch (const Failure& failure)
+  catch (const std::exception& error)
   {
-    row["failure"] = failure.what();
+    entrant.row["failure"] = error.what();
   }
-  row["warnings"] = TakeVtkWarnings();
-  this->stage.UsePass(nullptr);
-  return row;
+  for (const std::string& warning : TakeVtkWarnings())
+  {
+    BenchJson& known = entrant.row["warnings"];
+    if (std::find(known.begin(), known.end(), warning) == known.end())
+    {
+      known.push_back(warning);
+    }
+  }
+  return entrant.row["failure"].is_null();
 }
 
-void BenchMeasurer::ShowScene(
-  const BenchRun& run, const std::function<void(const BenchJson&)>& sceneShown)
+void BenchMeasurer::TimeInTurn(Entrants entrants)
+{
+  const TimingPlan plan = BenchTiming(this->options);
+  std::mt19937 order; // the same for every bench
+  while (!entrants.empty())
+  {
+    std::shuffle(entrants.begin(), entrants.end(), order);
+    for (auto& entrant : entrants)
+    {
+      this->listener.begin(entrant->Run());
+      const bool isTimed =
+        !this->Try(*entrant, [&]() { entrant->Visit(plan); }) || entrant->IsTimed(plan);
+      if (isTimed)
+      {
+        this->Finish(*entrant);
+        entrant.reset();
+      }
+      else if (!entrant->isKept)
+      {
+        entrant->Drop();
+      }
+    }
+    entrants.erase(std::remove(entrants.begin(), entrants.end(), nullptr), entrants.end());
+  }
+}
+
+void BenchMeasurer::Finish(BenchEntrant& entrant)
+{
+  BenchJson& row = entrant.row;
+  if (entrant.Rounds().Count() > 0)
+  {
+    PutTimings(row, entrant.Rounds().Medians());
+  }
+  row["seconds"]["timing"] = entrant.VisitSeconds();
+  this->listener.row(row);
+  this->stage.UsePass(nullptr);
+  entrant.Drop();
+}
+
+void BenchMeasurer::ShowScene(const BenchRun& run)
 {
   if (this->shown && this->shown->HasSceneOf(run))
   {
@@ -186,7 +253,7 @@ void BenchMeasurer::ShowScene(
   this->shown = run;
   if (run.axis.empty())
   {
-    sceneShown(facts);
+    this->listener.scene(facts);
   }
 }
 
@@ -200,49 +267,52 @@ BenchJson BenchMeasurer::FactsOfMeshes() const
   return json;
 }
 
-void BenchMeasurer::MeasureInto(BenchJson& row, const BenchRun& run)
+void BenchMeasurer::Prepare(BenchEntrant& entrant)
 {
-  const BenchSetting& setting = run.setting;
+  const BenchRun& run = entrant.Run();
+  BenchJson& row = entrant.row;
+  row["triangles"] = this->stage.NumberOfTriangles();
+  row["lights"] = this->stage.Lights().size();
   const bool withErrors = run.axis.empty() && CanMeasureErrors(this->stage);
   if (withErrors)
   {
-    this->TruthsOf(setting.soft);
+    this->TruthsOf(run.setting.soft);
   }
-  this->stage.RenewShadows(setting.soft);
-  vtkSmartPointer<vtkRenderPass> peer;
-  if (setting.IsPeer())
-  {
-    peer = MakePeerPass(setting.resolution);
-    this->stage.UsePass(peer);
-  }
-  else
-  {
-    setting.apply(this->stage.Shadows());
-  }
+  const auto begin = std::chrono::steady_clock::now();
+  entrant.Show();
   this->stage.Window().Render();
-  if (setting.technique == "auto")
+  if (run.setting.technique == "auto")
   {
     row["explanations"] = this->ExplanationsOfChoice();
   }
-  row["errors"] = withErrors ? this->ErrorsOf(run, peer) : BenchJson::array();
+  row["errors"] = withErrors ? this->ErrorsOf(entrant) : BenchJson::array();
 
-  this->stage.UsePass(peer);
-  const FrameTimings timings = TimeFrames(this->stage, BenchTiming(this->options), this->progress);
-  PutTimings(row, timings);
-  // Where one round was too much already, its stages are not asked for.
-  const bool slow = timings.rounds == 1 && this->options.frames == 0;
-  row["stages"] = setting.IsPeer() || slow ? BenchJson::array() : JsonOf(TimeStages(this->stage));
+  entrant.Show();
+  double frame = 0.0;
+  {
+    MovingStage motion(this->stage);
+    motion.SwingCamera();
+    frame = RenderMilliseconds(this->stage);
+  }
+  const TimingPlan plan = BenchTiming(this->options);
+  const bool isSlow =
+    plan.rounds == 0 && run.setting.technique != "auto" && 0.001 * frame > plan.seconds;
+  if (isSlow)
+  {
+    entrant.TimeOnce(frame);
+  }
+  row["stages"] = entrant.Peer() || isSlow
+    ? BenchJson::array()
+    : JsonOf(TimeStages(this->stage, 0.001 * frame > StagesShare * plan.seconds ? 1 : 3));
   row["texture_bytes"] = nullptr;
   row["caster_bytes"] = nullptr;
-  if (auto* technique = this->stage.Shadows()->GetTechniquePass(setting.technique))
+  if (auto* technique = this->stage.Shadows()->GetTechniquePass(run.setting.technique))
   {
     row["texture_bytes"] = technique->GetTextureMemory();
     row["caster_bytes"] = technique->GetCasterMemory();
   }
-  if (peer)
-  {
-    peer->ReleaseGraphicsResources(this->stage.Renderer()->GetVTKWindow());
-  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  entrant.row["seconds"]["prepare"] = taken.count();
 }
 
 // What "auto" says of each light, once it has chosen.
@@ -265,14 +335,15 @@ BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)
   {
     return made;
   }
-  this->stage.RenewShadows(soft);
-  vtkShadowPass* shadows = this->stage.Shadows();
+  const vtkSmartPointer<vtkShadowPass> shadows = this->stage.MakeShadows(soft);
+  this->stage.UseShadows(shadows);
   shadows->SetTechnique("ray-cast");
   shadows->GetRayCastShadowPass()->SetLightSamples(TruthSamples(this->options.bench));
   this->stage.Window().Render();
   if (!soft)
   {
-    this->pictures("scene-" + this->shown->scene + ".png", PngOfBytes(this->stage.Picture()));
+    this->listener.picture(
+      "scene-" + this->shown->scene + ".png", PngOfBytes(this->stage.Picture()));
   }
   Truths truth;
   for (vtkLight* light : this->stage.Lights())
@@ -284,6 +355,7 @@ BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)
     }
     truth.push_back(measure);
   }
+  shadows->ReleaseGraphicsResources(this->stage.Renderer()->GetVTKWindow());
   made = truth;
   return made;
 }
@@ -295,15 +367,18 @@ double BenchMeasurer::ErrorOfPictures(std::size_t light)
   {
     return known->second;
   }
-  this->stage.RenewShadows(false);
-  this->stage.Shadows()->SetTechnique("ray-cast");
+  const vtkSmartPointer<vtkShadowPass> shadows = this->stage.MakeShadows(false);
+  this->stage.UseShadows(shadows);
+  shadows->SetTechnique("ray-cast");
   vtkShadowErrorMeasure* truth = this->TruthsOf(false)[light];
-  truth->MeasureAgain(VisibilityOffPictures(this->stage, light, this->stage.Shadows()));
+  truth->MeasureAgain(VisibilityOffPictures(this->stage, light, shadows));
+  shadows->ReleaseGraphicsResources(this->stage.Renderer()->GetVTKWindow());
   return this->errorsOfPictures[light] = truth->GetMismatchPercent();
 }
 
-BenchJson BenchMeasurer::ErrorsOf(const BenchRun& run, vtkRenderPass* peer)
+BenchJson BenchMeasurer::ErrorsOf(const BenchEntrant& entrant)
 {
+  const BenchRun& run = entrant.Run();
   BenchJson errors = BenchJson::array();
   for (std::size_t light = 0; light < this->stage.Lights().size(); ++light)
   {
@@ -312,10 +387,10 @@ BenchJson BenchMeasurer::ErrorsOf(const BenchRun& run, vtkRenderPass* peer)
     error["kind"] = NameOf(KindOf(this->stage.Lights()[light]));
     error["error_of_pictures_percent"] = nullptr;
     vtkSmartPointer<vtkImageData> visibility;
-    if (peer)
+    if (entrant.Peer())
     {
       error["error_of_pictures_percent"] = this->ErrorOfPictures(light);
-      visibility = VisibilityOffPictures(this->stage, light, peer);
+      visibility = VisibilityOffPictures(this->stage, light, entrant.Peer());
     }
     else
     {
@@ -339,7 +414,7 @@ BenchJson BenchMeasurer::ErrorsOf(const BenchRun& run, vtkRenderPass* peer)
     error["mean_absolute_difference"] = measure->GetMeanAbsoluteDifference();
     const std::string picture =
       FileName(run.scene + "--" + run.setting.name + "--" + std::to_string(light) + ".png");
-    this->pictures(picture, PngOfBytes(measure->GetErrorMap()));
+    this->listener.picture(picture, PngOfBytes(measure->GetErrorMap()));
     error["picture"] = picture;
     errors.push_back(error);
   }
@@ -347,6 +422,24 @@ BenchJson BenchMeasurer::ErrorsOf(const BenchRun& run, vtkRenderPass* peer)
 }
 
 //------------------------------------------------------------------------------
+BenchJson DescribeRun(const BenchRun& run)
+{
+  BenchJson row;
+  row["key"] = run.Key();
+  row["scene"] = run.scene;
+  row["setting"] = run.setting.name;
+  row["technique"] = run.setting.technique;
+  row["soft"] = run.setting.soft;
+  row["resolution"] = run.setting.resolution ? BenchJson(run.setting.resolution) : nullptr;
+  row["samples"] = run.setting.samples ? BenchJson(run.setting.samples) : nullptr;
+  row["axis"] = run.axis.empty() ? BenchJson(nullptr) : BenchJson(run.axis);
+  row["value"] = run.axis.empty() ? BenchJson(nullptr) : BenchJson(run.value);
+  row["width"] = run.window.width;
+  row["height"] = run.window.height;
+  row["warnings"] = BenchJson::array();
+  return row;
+}
+
 BenchJson DescribeMachine(Stage& stage)
 {
   BenchJson machine;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace vtkshadows
@@ -127,6 +128,17 @@ std::string BenchRun::Key() const
   return key.str();
 }
 
+std::string BenchRun::SceneName() const
+{
+  std::ostringstream name;
+  name << this->scene;
+  if (!this->axis.empty() && this->axis != "samples")
+  {
+    name << ", " << this->axis << " " << std::setprecision(9) << this->value;
+  }
+  return name.str();
+}
+
 bool BenchRun::HasSceneOf(const BenchRun& other) const
 {
   return this->scene == other.scene && this->size.detail == other.size.detail &&
@@ -190,7 +202,7 @@ TimingPlan BenchTiming(const Options& options)
 {
   TimingPlan timing;
   timing.rounds = options.frames;
-  timing.seconds = options.bench.seconds.value_or(options.bench.fast ? 0.2 : 2.0);
+  timing.seconds = options.bench.seconds.value_or(options.bench.fast ? 0.2 : 1.5);
   return timing;
 }
 

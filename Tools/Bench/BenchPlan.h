@@ -3,7 +3,6 @@
 #define vtkshadows_BenchPlan_h
 
 #include "BenchSettings.h"
-#include "FrameTimings.h"
 #include "Options.h"
 #include "Scenes.h"
 
@@ -16,6 +15,15 @@ namespace vtkshadows
 // The user's own meshes, among the scenes.
 extern const char* const MeshesScene;
 
+// How often the frames of a setting are timed. `rounds` 0: in short visits until the ratios are
+// steady or `seconds` are spent, 3 to 15, and fewer of what would take many times as long; what
+// takes longer than `seconds` for a frame, by a single one of each kind.
+struct TimingPlan
+{
+  int rounds = 0;
+  double seconds = 0.0;
+};
+
 struct BenchRun
 {
   std::string scene; // of the registry, or MeshesScene
@@ -27,6 +35,8 @@ struct BenchRun
 
   // No two runs of a plan have the same.
   std::string Key() const;
+  // "crowd", or of a sweep "crowd, triangles 20000".
+  std::string SceneName() const;
   // Whether both show the same picture, but for shadows.
   bool HasSceneOf(const BenchRun& other) const;
 };

@@ -1,5 +1,7 @@
 #include "BenchReport.h"
 
+#include "BenchExtremes.h"
+
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -161,6 +163,7 @@ Json ReportOf(const BenchJournal& journal, const std::string& planKey)
   report["scenes"] = journal.Scenes();
   report["rows"] = journal.Rows();
   report["fits"] = FitsOf(journal.Rows());
+  report["extremes"] = journal.Extremes(LightExtremes());
   return report;
 }
 

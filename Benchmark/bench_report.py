@@ -1,0 +1,61 @@
+"""What `vtkshadows bench` found, as the plots and tables of Docs/Trade.md need it (see trade_page.py)."""
+
+import json
+
+# More than that of the receiver pixels, in percent, is gross error: one pixel in 100 000.
+MOST_GROSS = 1e-3
+
+PEER = "vtk-shadow-map"
+KINDS = ("static", "moving")
+
+
+class Report:
+    """Rows of bench.json; those of runs that failed are left out, and counted."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            data = json.load(file)
+        for key in ("machine", "plan", "scenes", "rows", "fits"):
+            if key not in data:
+                raise ValueError(f'{path}: has no "{key}"; give a bench.json of vtkshadows bench')
+        self.machine, self.plan, self.fits = data["machine"], data["plan"], data["fits"]
+        self.failures = [row["key"] for row in data["rows"] if row["failure"]]
+        rows = [row for row in data["rows"] if not row["failure"]]
+        self.sweeps = [row for row in rows if row["axis"]]
+        self.rows = [row for row in rows if not row["axis"] and row["errors"]]
+        names = [scene["name"] for scene in data["scenes"]]
+        self.scenes = [name for name in names if any(row["scene"] == name for row in self.rows)]
+
+    def of(self, scene, soft=False):
+        return [row for row in self.rows if row["scene"] == scene and row["soft"] == soft]
+
+
+def worst(row, measure):
+    """Of a row's lights the one that is most wrong."""
+    return max(error[measure] for error in row["errors"])
+
+
+def is_choice(row):
+    """Whether it is a fixed setting of ours: neither what is chosen, nor none, nor VTK's own pass."""
+    return row["technique"] not in ("auto", "none", PEER)
+
+
+def is_right(row, most_mismatch=None):
+    """Without gross error, and at most so much mismatch, in percent."""
+    if worst(row, "gross_percent") > MOST_GROSS:
+        return False
+    return most_mismatch is None or worst(row, "mismatch_percent") <= most_mismatch
+
+
+def cheapest(rows, kind):
+    """The row whose frame is shortest, over the frame without shadows; None of none."""
+    return min(rows, key=lambda row: row["ratio_" + kind], default=None)
+
+
+def pareto_front(points):
+    """Of (cost, error): those than which none is both cheaper and less wrong."""
+    front = []
+    for point in sorted(points):
+        if not front or point[1] < front[-1][1]:
+            front.append(point)
+    return front

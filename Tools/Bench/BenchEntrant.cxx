@@ -1,0 +1,196 @@
+#include "BenchEntrant.h"
+
+#include "MovingStage.h"
+#include "PeerShadows.h"
+#include "Stage.h"
+#include "Techniques.h"
+
+#include <vtkRenderPass.h>
+#include <vtkRenderer.h>
+#include <vtkShadowPass.h>
+#include <vtkShadowTechniquePass.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace vtkshadows
+{
+namespace
+{
+
+constexpr int FewestVisits = 3;
+constexpr int MostVisits = 15;
+constexpr int MostFramesOfKind = 5;
+
+// Shares of the time of a setting: what a visit's timed frames shall take, and how much longer than
+// it the fewest visits may.
+constexpr double VisitShare = 0.125;
+constexpr double FewestVisitsShare = 6.0;
+
+// To which a ratio is to be known: less than what a figure tells.
+constexpr double SteadyShare = 0.02;
+
+// The median of so many frames, after others that are not timed.
+double TimeFramesOf(Stage& stage, int warmUp, int frames, const std::function<void()>& move)
+{
+  for (int i = 0; i < warmUp; ++i)
+  {
+    move();
+    stage.Window().Render();
+  }
+  std::vector<double> times;
+  for (int i = 0; i < frames; ++i)
+  {
+    move();
+    times.push_back(RenderMilliseconds(stage));
+  }
+  return Median(times);
+}
+
+}
+
+BenchEntrant::BenchEntrant(Stage& usedStage, const BenchRun& givenRun)
+  : stage(usedStage)
+  , run(givenRun)
+{
+}
+
+BenchEntrant::~BenchEntrant()
+{
+  this->Drop();
+}
+
+void BenchEntrant::Show(bool moving)
+{
+  if (this->run.setting.IsPeer())
+  {
+    if (!this->peer)
+    {
+      this->peer = MakePeerPass(this->run.setting.resolution);
+    }
+    this->stage.UsePass(this->peer);
+    return;
+  }
+  auto& pass = this->passes[moving && this->run.setting.technique == "auto" ? 1 : 0];
+  if (!pass)
+  {
+    pass = this->stage.MakeShadows(this->run.setting.soft);
+    this->run.setting.apply(pass);
+  }
+  this->stage.UseShadows(pass);
+}
+
+void BenchEntrant::Drop()
+{
+  vtkWindow* window = this->stage.Renderer()->GetVTKWindow();
+  for (auto& pass : this->passes)
+  {
+    if (pass)
+    {
+      pass->ReleaseGraphicsResources(window);
+    }
+    pass = nullptr;
+  }
+  if (this->peer)
+  {
+    this->stage.UsePass(nullptr);
+    this->peer->ReleaseGraphicsResources(window);
+    this->peer = nullptr;
+  }
+}
+
+std::int64_t BenchEntrant::Memory() const
+{
+  constexpr std::int64_t BytesOfDepth = 4;
+  if (this->peer)
+  {
+    const std::int64_t side = this->run.setting.resolution;
+    return side * side * BytesOfDepth * static_cast<std::int64_t>(this->stage.Lights().size());
+  }
+  std::int64_t bytes = 0;
+  for (const auto& pass : this->passes)
+  {
+    for (const std::string& name : TechniqueNames())
+    {
+      vtkShadowTechniquePass* technique = pass ? pass->GetTechniquePass(name) : nullptr;
+      bytes += technique ? technique->GetTextureMemory() + technique->GetCasterMemory() : 0;
+    }
+  }
+  return bytes;
+}
+
+void BenchEntrant::TimeOnce(double still)
+{
+  MovingStage motion(this->stage);
+  TimingRound round;
+  round.still = still;
+  this->stage.ShowShadows(true);
+  motion.CircleLights();
+  round.moving = RenderMilliseconds(this->stage);
+  motion.RestLights();
+  this->stage.ShowShadows(false);
+  round.unshadowed = TimeFramesOf(this->stage, 1, 1, [&motion]() { motion.SwingCamera(); });
+  this->rounds.Add(round);
+  this->isTimedOnce = true;
+}
+
+void BenchEntrant::Visit(const TimingPlan& plan)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const bool chooses = this->run.setting.technique == "auto";
+  MovingStage motion(this->stage);
+  const auto swing = [&motion]() { motion.SwingCamera(); };
+  const auto circle = [&motion]() { motion.CircleLights(); };
+  int frames = 1;
+  if (plan.rounds == 0 && this->rounds.Count() > 0)
+  {
+    const FrameTimings before = this->rounds.Medians();
+    const double each = 0.001 *
+      (before.unshadowedMilliseconds + before.staticMilliseconds + before.movingMilliseconds);
+    frames =
+      static_cast<int>(std::clamp(VisitShare * plan.seconds / each, 1.0, double(MostFramesOfKind)));
+  }
+
+  // The first frame after another pass looks its shaders up again; the first of a still light draws
+  // what is kept for it.
+  TimingRound round;
+  this->Show(false);
+  this->stage.ShowShadows(false);
+  round.unshadowed = TimeFramesOf(this->stage, 1, frames, swing);
+  this->stage.ShowShadows(true);
+  if (chooses)
+  {
+    SettleChoice(this->stage, swing);
+  }
+  round.still = TimeFramesOf(this->stage, 2, frames, swing);
+  motion.RestCamera();
+  this->Show(true);
+  if (chooses)
+  {
+    SettleChoice(this->stage, circle);
+  }
+  round.moving = TimeFramesOf(this->stage, 1, frames, circle);
+  motion.RestLights();
+  this->rounds.Add(round);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  this->visitSeconds += taken.count();
+}
+
+bool BenchEntrant::IsTimed(const TimingPlan& plan) const
+{
+  const int count = this->rounds.Count();
+  if (plan.rounds > 0 || this->isTimedOnce || count == 0)
+  {
+    return this->isTimedOnce || (plan.rounds > 0 && count >= plan.rounds);
+  }
+  const double visit = this->visitSeconds / count;
+  const int fewest = static_cast<int>(
+    std::clamp(FewestVisitsShare * plan.seconds / visit, 1.0, double(FewestVisits)));
+  return count >= fewest &&
+    (count >= MostVisits || this->visitSeconds + visit > plan.seconds ||
+      this->rounds.AreSteady(SteadyShare));
+}
+
+}
