@@ -432,12 +432,12 @@ TEST_F(Auto, UsersSettingsStay)
   // Also one that the user sets while another is in use.
   this->Shadows->SetTechniqueToAuto();
   this->Render();
-  maps->SetResolution(512);
+  maps->SetResolution(600);
   this->Render();
-  EXPECT_EQ(maps->GetResolution(), 512);
+  EXPECT_EQ(maps->GetResolution(), 600);
   this->Shadows->SetTechnique("depth-map");
   this->Render();
-  EXPECT_EQ(maps->GetResolution(), 512);
+  EXPECT_EQ(maps->GetResolution(), 600);
 }
 
 //------------------------------------------------------------------------------

@@ -337,6 +337,7 @@ BenchJson BenchMeasurer::ErrorsOf(const BenchRun& run, vtkRenderPass* peer)
     error["gross_missed_pixels"] = measure->GetGrossMissedPixels();
     error["gross_percent"] = measure->GetGrossPercent();
     error["mean_absolute_difference"] = measure->GetMeanAbsoluteDifference();
+    error["mean_penumbra_difference"] = measure->GetMeanPenumbraDifference();
     const std::string picture =
       FileName(run.scene + "--" + run.setting.name + "--" + std::to_string(light) + ".png");
     this->pictures(picture, PngOfBytes(measure->GetErrorMap()));
