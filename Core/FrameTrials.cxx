@@ -47,11 +47,28 @@ double FrameTrials::LeastSeconds() const
   return least;
 }
 
+// Expected, of the fastest that was timed; of all, if none was.
+double FrameTrials::CostOfFastest() const
+{
+  const double least = this->LeastSeconds();
+  double cost = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < this->Ways.size(); ++i)
+  {
+    const Timing& timing = this->Timings[i];
+    const bool isIt = std::isinf(least) || (timing.rows > 0 && timing.seconds <= least);
+    cost = this->Ways[i].isRight && isIt ? std::min(cost, this->Ways[i].cost) : cost;
+  }
+  return cost;
+}
+
 bool FrameTrials::IsDone(std::size_t way) const
 {
+  // What was expected to be no dearer than the fastest has another chance: the machine may have
+  // been busy.
   const Timing& timing = this->Timings[way];
   return timing.rows >= MostRows ||
-    (timing.rows > 0 && timing.seconds > HasLost * this->LeastSeconds());
+    (timing.rows > 0 && timing.seconds > HasLost * this->LeastSeconds() &&
+      this->Ways[way].cost > this->CostOfFastest());
 }
 
 //------------------------------------------------------------------------------
@@ -132,22 +149,8 @@ std::optional<double> FrameTrials::SecondsOf(std::size_t way) const
 // Whether a way that has not been timed may turn out the best.
 bool FrameTrials::IsPromising(std::size_t way) const
 {
-  if (!this->Ways[way].isRight)
-  {
-    return false;
-  }
-  // Beside the fastest that is known, or else the cheapest to be expected.
-  const double least = this->LeastSeconds();
-  double reference = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < this->Ways.size(); ++i)
-  {
-    const bool isIt = std::isinf(least) || this->Timings[i].seconds <= least;
-    if (this->Ways[i].isRight && isIt && (std::isinf(least) || this->Timings[i].rows > 0))
-    {
-      reference = std::min(reference, this->Ways[i].cost);
-    }
-  }
-  return this->Timings[way].rows > 0 || this->Ways[way].cost <= NotPromising * reference;
+  return this->Ways[way].isRight &&
+    (this->Timings[way].rows > 0 || this->Ways[way].cost <= NotPromising * this->CostOfFastest());
 }
 
 //------------------------------------------------------------------------------

@@ -56,6 +56,7 @@ private:
   };
   bool IsDone(std::size_t way) const;
   double LeastSeconds() const;
+  double CostOfFastest() const;
   bool IsPromising(std::size_t way) const;
   std::size_t Best() const;
   void Advance();
