@@ -33,7 +33,7 @@ constexpr double MostTrianglesMeasured = 5.0e6;
 constexpr double OtherPicture = 0.3;
 constexpr double SamePicture = 0.02;
 constexpr double MeasuringShare = 20.0;
-// The same for what is not in use, as long as that serves.
+// The same in a motion for what is not in use, as long as that serves.
 constexpr double MeasuringShareOfOthers = 100.0;
 // A setting expected to cost this many times the cheapest that is right is not measured.
 constexpr double NotPromising = 4.0;
@@ -219,15 +219,16 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::SettingsToTry(const Reques
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowTechniqueChooser::IsInUse(const Setting& setting) const
+bool vtkShadowTechniqueChooser::IsInUse(const Setting& setting, const ChosenLight& light) const
 {
-  return std::find(this->LastSettings.begin(), this->LastSettings.end(), setting) !=
-    this->LastSettings.end();
+  const auto known = this->InUse.find(light.Source);
+  return known != this->InUse.end() && known->second == setting;
 }
 
-double vtkShadowTechniqueChooser::MarginOf(const Setting& setting, double drift) const
+double vtkShadowTechniqueChooser::MarginOf(
+  const Setting& setting, const ChosenLight& light, double drift) const
 {
-  return (this->IsInUse(setting) ? MarginOfChosen : MarginOfOthers) + MarginOfDrift * drift;
+  return (this->IsInUse(setting, light) ? MarginOfChosen : MarginOfOthers) + MarginOfDrift * drift;
 }
 
 // What is urgent may be needed for this frame.
@@ -241,16 +242,17 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   }
   if (!isUrgent)
   {
-    return record->Drift > OtherPicture && record->Elapsed >= MeasuringShareOfOthers * record->Cost;
+    const double share = this->IsMoving ? MeasuringShareOfOthers : MeasuringShare;
+    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost;
   }
   const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
   const bool soft = light.Needs.isSoft;
-  if (!vtkshadows::IsWithin(this->Budget, record->Error, soft, this->MarginOf(setting, 0.0)))
+  if (!vtkshadows::IsWithin(this->Budget, record->Error, soft, this->MarginOf(setting, light, 0.0)))
   {
     return record->Drift > OtherPicture && !mayWait;
   }
   const bool isClose = !vtkshadows::IsWithin(
-    this->Budget, record->Error, soft, this->MarginOf(setting, record->Drift));
+    this->Budget, record->Error, soft, this->MarginOf(setting, light, record->Drift));
   if (this->IsMoving)
   {
     return (isClose || record->Drift > SamePicture) && !mayWait;
@@ -260,14 +262,14 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
 
 //------------------------------------------------------------------------------
 // Whether anything was measured.
-bool vtkShadowTechniqueChooser::MeasureFor(
-  const Request& request, const Setting& setting, bool isUrgent)
+bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting& setting,
+  const std::function<bool(const ChosenLight&)>& isUrgent)
 {
   std::vector<int> indices;
   for (const ChosenLight& light : this->Chosen)
   {
     if (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
-      this->NeedsMeasure(setting, light, isUrgent))
+      this->NeedsMeasure(setting, light, isUrgent(light)))
     {
       indices.push_back(light.Index);
     }
@@ -309,13 +311,13 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
     if (const auto record = this->Errors.Find(setting, light.Now))
     {
       verdict.Error = record->Error;
-      // Of another picture it says nothing of what is not in use; what is has been measured, unless
-      // in a motion, where that waits.
-      const bool isOfThis = record->Drift <= OtherPicture || this->IsInUse(setting);
+      // Of another picture it says nothing, unless in a motion, where measures wait.
+      const bool isOfThis =
+        this->IsMoving || record->Drift <= OtherPicture || this->IsInUse(setting, light);
       const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture) : record->Drift;
       verdict.IsRight = isOfThis &&
         vtkshadows::IsWithin(
-          this->Budget, record->Error, verdict.Soft, this->MarginOf(setting, drift));
+          this->Budget, record->Error, verdict.Soft, this->MarginOf(setting, light, drift));
     }
     else
     {
@@ -394,9 +396,10 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
   const std::vector<Setting> settings = this->SettingsToTry(request);
   for (const Setting& setting : settings)
   {
-    if (this->IsInUse(setting))
+    const auto isInUse = [&](const ChosenLight& light) { return this->IsInUse(setting, light); };
+    if (std::any_of(lights.begin(), lights.end(), isInUse))
     {
-      this->MeasureFor(request, setting, true);
+      this->MeasureFor(request, setting, isInUse);
       judge(setting);
     }
   }
@@ -414,7 +417,7 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
         (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
           !this->Errors.Find(setting, light.Now));
     }
-    if (this->IsInUse(setting) ||
+    if (this->Verdicts.count(setting.Text()) > 0 ||
       (!byAccuracy &&
         (std::any_of(right.begin(), right.end(), covers) ||
           (isUnknown && cost > NotPromising * cheapest))))
@@ -426,7 +429,8 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
     const bool isUrgent = !isServed || (isUnknown && !this->Trials().IsSettled());
     if (isUrgent || !hasMeasured)
     {
-      const bool did = this->MeasureFor(request, setting, isUrgent);
+      const bool did =
+        this->MeasureFor(request, setting, [isUrgent](const ChosenLight&) { return isUrgent; });
       hasMeasured = hasMeasured || did;
     }
     else if (isUnknown)
@@ -576,6 +580,11 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
     : this->Trials().Current();
   const std::vector<Setting>& settings = there[this->Drawn].settings;
   this->LastSettings = settings;
+  this->InUse.clear();
+  for (std::size_t i = 0; i < this->Chosen.size(); ++i)
+  {
+    this->InUse[this->Chosen[i].Source] = settings[i];
+  }
   for (std::size_t i = 0, k = 0; i < request.Lights.size(); ++i)
   {
     if (reach[i])

@@ -87,10 +87,11 @@ private:
   std::vector<ChosenLight> LightsOf(const Request& request, const std::vector<bool>& reach) const;
   std::vector<Setting> SettingsToTry(const Request& request) const;
   Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light) const;
-  bool MeasureFor(const Request& request, const Setting& setting, bool isUrgent);
+  bool MeasureFor(const Request& request, const Setting& setting,
+    const std::function<bool(const ChosenLight&)>& isUrgent);
   bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
-  bool IsInUse(const Setting& setting) const;
-  double MarginOf(const Setting& setting, double drift) const;
+  bool IsInUse(const Setting& setting, const ChosenLight& light) const;
+  double MarginOf(const Setting& setting, const ChosenLight& light, double drift) const;
   std::vector<Setting> JudgeSettings(const Request& request);
   std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
   double CostOf(const Setting& setting, const ChosenLight& light) const;
@@ -112,6 +113,7 @@ private:
   bool IsChosen = false;
   std::size_t Drawn = 0; // among the ways: the last Choose's
   std::vector<Setting> LastSettings;
+  std::map<const vtkLight*, Setting> InUse; // the same, by light
   double MeasuringSeconds = 0.0;
   double TimedFor[3] = { 0.0, 0.0, 0.0 }; // triangles, pixels and lights that times are of
 

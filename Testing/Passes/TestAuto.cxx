@@ -407,6 +407,31 @@ TEST_F(Auto, MovingLight)
 }
 
 //------------------------------------------------------------------------------
+// One of two lights turns fast, and what was measured of it is soon of another picture: what each
+// has does not go to and fro.
+TEST_F(Auto, OneOfTwoLightsTurns)
+{
+  this->MakeStillLife();
+  vtkLight* second = AddSun(this->Renderer, { -0.5, 0.2, -1.0 });
+  second->SetIntensity(0.4);
+  this->Settle();
+  std::string before;
+  int changes = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    const double angle = 0.05 * i;
+    this->Sun->SetPosition(0.5 * std::cos(angle), 0.5 * std::sin(angle), 1.0);
+    this->Render();
+    const std::string now = this->Shadows->GetExplanation(this->Sun).substr(0, 30) +
+      this->Shadows->GetExplanation(second).substr(0, 30);
+    changes += i > 0 && now != before ? 1 : 0;
+    before = now;
+  }
+  // Ways are timed in rows: a change a frame would be 99.
+  CheckAtMost("changes in 100 frames", changes, 25.0);
+}
+
+//------------------------------------------------------------------------------
 // A caster comes that the map in use is too coarse for.
 TEST_F(Auto, CasterAdded)
 {
