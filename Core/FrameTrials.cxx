@@ -63,12 +63,18 @@ double FrameTrials::CostOfFastest() const
 
 bool FrameTrials::IsDone(std::size_t way) const
 {
-  // What was expected to be no dearer than the fastest has another chance: the machine may have
-  // been busy.
   const Timing& timing = this->Timings[way];
-  return timing.rows >= MostRows ||
-    (timing.rows > 0 && timing.seconds > HasLost * this->LeastSeconds() &&
-      this->Ways[way].cost > this->CostOfFastest());
+  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  const double limit = byAccuracy ? *this->Budget.maximumSeconds : 0.0;
+  if (timing.rows == 0 || timing.rows >= MostRows)
+  {
+    return timing.rows > 0;
+  }
+  // What was expected to be no dearer than the fastest has another chance: the machine may have
+  // been busy. How far a time is within a limit does not matter.
+  const bool hasLost = timing.seconds > HasLost * std::max(this->LeastSeconds(), limit);
+  return HasLost * timing.seconds < limit ||
+    (hasLost && (byAccuracy || this->Ways[way].cost > this->CostOfFastest()));
 }
 
 //------------------------------------------------------------------------------

@@ -154,6 +154,7 @@ TEST(FrameTrials, ATimeAloneBuysAccuracy)
     budget.maximumSeconds = expected.first;
     trials.SetWays(ways, budget);
     EXPECT_EQ(Draw(trials, seconds, 30).back(), expected.second) << expected.first;
+    EXPECT_TRUE(trials.IsSettled());
   }
 }
 
@@ -215,4 +216,16 @@ TEST(FrameTrials, WhatIsExpectedToBeFasterHasASecondChance)
       trials.WantsTime() ? std::optional<double>(i < 4 ? 5.0 * seconds : seconds) : std::nullopt);
   }
   EXPECT_EQ(trials.Way().settings[0].technique, "a");
+}
+
+//------------------------------------------------------------------------------
+// Beside a limit it does not matter which of several ways is the fastest: one row each is enough.
+TEST(FrameTrials, ALimitThatIsFarOffIsSoonKnownToBeKept)
+{
+  FrameTrials trials;
+  ShadowBudget budget;
+  budget.maximumSeconds = 1.0;
+  trials.SetWays({ Way("a", 1.2, 0.5), Way("b", 1.4, 0.1), Way("c", 2.0) }, budget);
+  EXPECT_EQ(Draw(trials, { { "a", 0.010 }, { "b", 0.011 }, { "c", 0.012 } }, 13).back(), "c");
+  EXPECT_TRUE(trials.IsSettled());
 }
