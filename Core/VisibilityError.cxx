@@ -240,7 +240,15 @@ void CountMeasured(
   error.mismatchPixels += verdict != PixelVerdict::RightLit && verdict != PixelVerdict::RightShadow;
   error.grossFalsePixels += verdict == PixelVerdict::GrossFalseShadow;
   error.grossMissedPixels += verdict == PixelVerdict::GrossMissedShadow;
-  error.sumAbsoluteDifference += std::abs(static_cast<double>(images.visibility[pixel]) - truth);
+  const float visibility = images.visibility[pixel];
+  const double difference = std::abs(static_cast<double>(visibility) - truth);
+  error.sumAbsoluteDifference += difference;
+  const auto isPartial = [](float value) { return value > 0.0f && value < 1.0f; };
+  if (isPartial(truth) || isPartial(visibility))
+  {
+    ++error.penumbraPixels;
+    error.sumPenumbraDifference += difference;
+  }
 }
 
 double Share(double part, std::size_t whole)
@@ -263,6 +271,11 @@ double VisibilityError::GrossPercent() const
 double VisibilityError::MeanAbsoluteDifference() const
 {
   return Share(this->sumAbsoluteDifference, this->receiverPixels);
+}
+
+double VisibilityError::MeanPenumbraDifference() const
+{
+  return Share(this->sumPenumbraDifference, this->penumbraPixels);
 }
 
 VisibilityError MeasureVisibility(

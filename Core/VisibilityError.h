@@ -39,11 +39,14 @@ struct VisibilityError
   std::size_t grossFalsePixels = 0;  // mismatched far from any true edge: shadow where it is lit
   std::size_t grossMissedPixels = 0; // ... lit where it is shadow
   double sumAbsoluteDifference = 0.0;
+  std::size_t penumbraPixels = 0;     // Measured, visibility or truth between 0 and 1
+  double sumPenumbraDifference = 0.0; // absolute
 
   std::size_t GrossPixels() const { return this->grossFalsePixels + this->grossMissedPixels; }
   double MismatchPercent() const;        // of the receiver pixels; 0 if there are none
   double GrossPercent() const;           // of the receiver pixels; 0 if there are none
   double MeanAbsoluteDifference() const; // over the receiver pixels; 0 if there are none
+  double MeanPenumbraDifference() const; // over the penumbra pixels; 0 if there are none
 };
 
 // How one pixel fared, for error maps.

@@ -443,7 +443,7 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
   const vtkShadowReceiverBuffer& receivers, const vtkshadows::ShadowLight& light,
-  double epsilonScale, std::vector<float>& visibility)
+  double epsilonScale, int samples, std::vector<float>& visibility)
 {
   if (!this->UpdateTree(frame))
   {
@@ -454,15 +454,15 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
   visibility.assign(width * height, 1.0f);
 
   glm::dvec3 centreWC(glm::inverse(my.TraceFromWorld)[3]);
-  std::vector<TraceLight> samples;
+  std::vector<TraceLight> lights;
   for (const vtkshadows::ShadowLight& sample :
-    vtkshadows::SampleAreaLight(light, light.radius > 0.0 ? this->LightSamples : 1, centreWC))
+    vtkshadows::SampleAreaLight(light, light.radius > 0.0 ? samples : 1, centreWC))
   {
-    samples.push_back(my.LightOf(sample, epsilonScale));
+    lights.push_back(my.LightOf(sample, epsilonScale));
   }
 
   const TraceFrame trace = my.FrameOf(frame);
-  const float share = 1.0f / static_cast<float>(samples.size());
+  const float share = 1.0f / static_cast<float>(lights.size());
   const auto start = Clock::now();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, height, 8),
     [&](const tbb::blocked_range<std::size_t>& rows)
@@ -476,7 +476,7 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
           {
             visibility[lanes.Pixel[i]] = 0.0f;
           }
-          for (const TraceLight& sample : samples)
+          for (const TraceLight& sample : lights)
           {
             packet.Trace(lanes, sample, share, visibility);
           }
@@ -511,7 +511,8 @@ bool vtkRayCastShadowPass::UpdateVisibility(
   for (std::size_t slot = 0; slot < lights.size(); ++slot)
   {
     const vtkShadowScene::Light& light = frame.Scene->GetLights()[lights[slot]];
-    if (!this->TraceVisibility(frame, *frame.Receivers, light.Ray, this->EpsilonScale, visibility))
+    if (!this->TraceVisibility(
+          frame, *frame.Receivers, light.Ray, this->EpsilonScale, this->LightSamples, visibility))
     {
       return false;
     }

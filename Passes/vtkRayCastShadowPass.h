@@ -88,11 +88,12 @@ protected:
   bool UpdateTree(const vtkShadowFrame& frame);
 
   /**
-   * Trace the pixels of `receivers` toward `light`: visibility gets one float a pixel, row by row
-   * from the bottom, 1 where there is no receiver.
+   * Trace the pixels of `receivers` toward `light`, with a radius toward so many `samples` of it:
+   * visibility gets one float a pixel, row by row from the bottom, 1 where there is no receiver.
    */
   bool TraceVisibility(const vtkShadowFrame& frame, const vtkShadowReceiverBuffer& receivers,
-    const vtkshadows::ShadowLight& light, double epsilonScale, std::vector<float>& visibility);
+    const vtkshadows::ShadowLight& light, double epsilonScale, int samples,
+    std::vector<float>& visibility);
 
   /**
    * Seconds that a bare loop of rtcOccluded1 over all cores takes for one frame's rays of hard

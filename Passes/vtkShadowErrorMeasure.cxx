@@ -145,6 +145,7 @@ void vtkShadowErrorMeasure::Evaluate()
   this->MismatchPercent = error.MismatchPercent();
   this->GrossPercent = error.GrossPercent();
   this->MeanAbsoluteDifference = error.MeanAbsoluteDifference();
+  this->MeanPenumbraDifference = error.MeanPenumbraDifference();
   FillImage(this->Visibility, measured.Size, measured.Visibility);
   FillErrorMap(this->ErrorMap, measured.Size, verdicts);
 }
@@ -176,4 +177,5 @@ void vtkShadowErrorMeasure::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GrossFalsePixels: " << this->GrossFalsePixels << "\n";
   os << indent << "GrossMissedPixels: " << this->GrossMissedPixels << "\n";
   os << indent << "MeanAbsoluteDifference: " << this->MeanAbsoluteDifference << "\n";
+  os << indent << "MeanPenumbraDifference: " << this->MeanPenumbraDifference << "\n";
 }

@@ -78,6 +78,12 @@ public:
   vtkGetMacro(MeanAbsoluteDifference, double);
   ///@}
 
+  /**
+   * Mean absolute difference of visibility over the penumbra alone, 0 to 1: the receiver pixels
+   * where the technique or the truth is neither lit nor in shadow. 0 if there are none.
+   */
+  vtkGetMacro(MeanPenumbraDifference, double);
+
   ///@{
   /**
    * Images of the last measure, of the renderer's size, origin bottom-left. Visibility and truth:
@@ -109,6 +115,7 @@ private:
   double MismatchPercent = 0.0;
   double GrossPercent = 0.0;
   double MeanAbsoluteDifference = 0.0;
+  double MeanPenumbraDifference = 0.0;
   vtkNew<vtkImageData> Visibility;
   vtkNew<vtkImageData> Truth;
   vtkNew<vtkImageData> ErrorMap;

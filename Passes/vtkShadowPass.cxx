@@ -1,5 +1,6 @@
 #include "vtkShadowPass.h"
 
+#include "ShadowCandidates.h"
 #include "vtkDepthShadowMapPass.h"
 #include "vtkObjectIDShadowPass.h"
 #include "vtkPlanarShadowPass.h"
@@ -49,6 +50,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -84,6 +86,9 @@ constexpr double GrossDistance = 2.0;
 constexpr double MeasuredRays = 1.0e6;
 constexpr double MeasuredRaysOfBudget = 4.0e6; // where a budget of error is held against it
 constexpr double LeastMeasuredPixels = 3.0e4;
+
+// Sample lights that tell whether the truth of a light with a radius hangs on the ray epsilon.
+constexpr int SamplesOfUncertainty = 16;
 
 struct LightSettings
 {
@@ -361,11 +366,21 @@ public:
   void ChooseTechniques(const vtkShadowFrame& frame,
     std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
     bool isDrawn);
-  bool MeasureErrors(const vtkShadowFrame& frame,
-    const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
+  // A view that errors are measured in, of fewer pixels than the frame's, and the truth there.
+  struct MeasuredView
+  {
+    vtkShadowFrame Frame;
+    double Scale = 1.0; // its pixels are so many of the frame's along an axis
+    vtkShadowReceiverBuffer Receivers;
+    std::map<int, Measured> Truths; // of lights
+  };
+  void Reduce(MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights);
+  bool MeasureErrors(MeasuredView& view, const std::vector<vtkShadowedShadingPass::LightPlan>& plan,
+    const std::string& name, const std::vector<int>& lights,
     std::vector<std::optional<vtkshadows::ErrorPercents>>& errors);
-  bool TraceTruth(
-    const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light, Measured& measured);
+  bool TraceTruth(const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light,
+    int samples, Measured& measured);
+  int SamplesOfTruth();
   void ReleaseWhatWasTried(vtkWindow* window);
   bool Begin(const vtkShadowFrame& frame, bool withStrength, bool always);
   void UpdateTechniques(
@@ -500,26 +515,42 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
   std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
   bool isDrawn)
 {
-  auto* maps = vtkDepthShadowMapPass::SafeDownCast(this->Find("depth-map"));
   if (lights.empty() || frame.Size[0] < 1 || frame.Size[1] < 1)
   {
-    this->Chooser.Rest(maps);
+    this->Chooser.Rest();
     return;
   }
   vtkShadowTechniqueChooser::Request request;
   request.Frame = &frame;
   request.Lights = lights;
-  request.Maps = maps;
-  request.MapsAreNamed = std::any_of(plan.begin(), plan.end(),
-    [&](const vtkShadowedShadingPass::LightPlan& entry) { return entry.Technique == maps; });
+  request.Pass = [this](const std::string& name) { return this->Find(name); };
+  for (const vtkShadowedShadingPass::LightPlan& entry : plan)
+  {
+    if (entry.Technique)
+    {
+      request.Named.insert(entry.Technique->GetTechniqueName());
+    }
+  }
   request.HasRays = this->Find("ray-cast") != nullptr;
   request.Planes =
     vtkPlanarShadowPass::SafeDownCast(this->Find("planar"))->GetMaximumNumberOfPlanes();
   request.IsDrawn = isDrawn;
-  request.MeasureErrors = [&](const std::vector<int>& measured,
+  std::optional<MeasuredView> view; // all that is measured in this frame shares it
+  request.MeasureErrors = [&](const std::string& name, const std::vector<int>& measured,
                             std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
-  { return this->MeasureErrors(frame, plan, measured, errors); };
+  {
+    if (!view)
+    {
+      view.emplace();
+      this->Reduce(*view, frame, lights);
+    }
+    return this->MeasureErrors(*view, plan, name, measured, errors);
+  };
   const std::vector<std::string> names = this->Chooser.Choose(request);
+  if (view)
+  {
+    view->Receivers.Release();
+  }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     plan[lights[i]].Technique = this->Find(names[i]);
@@ -527,75 +558,101 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-// Hold what depth maps make of `lights`, as they are set, against the truth, in this view, at no
-// more pixels than a part of a second allows.
-bool vtkShadowPass::Internals::MeasureErrors(const vtkShadowFrame& frame,
-  const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
-  std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
+// No more pixels than a part of a second allows.
+void vtkShadowPass::Internals::Reduce(
+  MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights)
+{
+  double rays = 0.0;
+  for (const int i : lights)
+  {
+    rays += this->Scene->GetLights()[i].Ray.radius > 0.0 ? vtkshadows::TruthSamples : 1.0;
+  }
+  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
+  const double budget =
+    this->Chooser.GetBudget().maximumError ? MeasuredRaysOfBudget : MeasuredRays;
+  view.Scale = std::min(1.0, std::sqrt(std::max(budget / rays, LeastMeasuredPixels) / pixels));
+  view.Frame = frame;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    view.Frame.Size[axis] =
+      std::max(1, static_cast<int>(std::lround(view.Scale * frame.Size[axis])));
+    view.Frame.Origin[axis] = 0;
+  }
+  view.Frame.Receivers = &view.Receivers;
+}
+
+//------------------------------------------------------------------------------
+// Hold what a technique makes of `lights`, as it is set, against the truth, in this view.
+bool vtkShadowPass::Internals::MeasureErrors(MeasuredView& view,
+  const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::string& name,
+  const std::vector<int>& lights, std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
 {
 #ifdef VTKSHADOWS_WITH_EMBREE
-  vtkShadowTechniquePass* maps = this->Find("depth-map");
+  vtkShadowTechniquePass* technique = this->Find(name);
   std::vector<vtkShadowedShadingPass::LightPlan> measuredPlan = plan;
-  double rays = 0.0;
   for (vtkShadowedShadingPass::LightPlan& entry : measuredPlan)
   {
     entry.Technique = nullptr;
     entry.Strength = 1.0f;
     entry.MaximumDistance = 0.0f;
   }
-  maps->NumberOfSlots = 0;
+  technique->NumberOfSlots = 0;
   for (const int i : lights)
   {
-    measuredPlan[i].Technique = maps;
-    measuredPlan[i].Slot = maps->NumberOfSlots++;
-    const bool isSoft = this->Scene->GetLights()[i].Ray.radius > 0.0;
-    rays += isSoft ? this->GetRayCast()->GetLightSamples() : 1.0;
+    measuredPlan[i].Technique = technique;
+    measuredPlan[i].Slot = technique->NumberOfSlots++;
   }
-  vtkShadowFrame reduced = frame;
-  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
-  const double budget =
-    this->Chooser.GetBudget().maximumError ? MeasuredRaysOfBudget : MeasuredRays;
-  const double scale =
-    std::min(1.0, std::sqrt(std::max(budget / rays, LeastMeasuredPixels) / pixels));
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    reduced.Size[axis] = std::max(1, static_cast<int>(std::lround(scale * frame.Size[axis])));
-    reduced.Origin[axis] = 0;
-  }
-  vtkShadowReceiverBuffer receivers;
-  reduced.Receivers = &receivers;
-
+  const vtkShadowFrame& frame = view.Frame;
   this->Shading->SetPlan(measuredPlan);
-  this->Shading->Attach(reduced);
-  bool done = maps->UpdateVisibility(reduced, lights);
+  this->Shading->Attach(frame);
+  view.Receivers.Invalidate();
+  bool done = technique->UpdateVisibility(frame, lights);
   this->Shading->ActivateTextures();
   for (std::size_t i = 0; done && i < lights.size(); ++i)
   {
-    Measured measured;
-    done = this->TraceTruth(reduced, receivers, lights[i], measured) &&
-      receivers.DrawVisibility(reduced, lights[i], measured.Visibility);
+    auto known = view.Truths.find(lights[i]);
+    if (known == view.Truths.end())
+    {
+      known = view.Truths.emplace(lights[i], Measured()).first;
+      done = this->TraceTruth(frame, view.Receivers, lights[i],
+        std::max(vtkshadows::TruthSamples, this->SamplesOfTruth()), known->second);
+    }
+    Measured& measured = known->second;
+    done = done && view.Receivers.DrawVisibility(frame, lights[i], measured.Visibility);
     if (!done)
     {
+      view.Truths.erase(known);
       break;
     }
     vtkshadows::VisibilityImages images;
-    images.width = reduced.Size[0];
-    images.height = reduced.Size[1];
+    images.width = frame.Size[0];
+    images.height = frame.Size[1];
     images.visibility = measured.Visibility.data();
     images.truth = measured.Truth.data();
     images.role = measured.Roles.data();
     const vtkshadows::VisibilityError error =
-      vtkshadows::MeasureVisibility(images, GrossDistance * scale);
-    errors.push_back(error.receiverPixels > 0 ? std::optional<vtkshadows::ErrorPercents>(
-                                                  vtkshadows::ErrorPercents::Of(error, scale < 1.0))
-                                              : std::nullopt);
+      vtkshadows::MeasureVisibility(images, GrossDistance * view.Scale);
+    errors.push_back(error.receiverPixels > 0
+        ? std::optional<vtkshadows::ErrorPercents>(
+            vtkshadows::ErrorPercents::Of(error, view.Scale < 1.0))
+        : std::nullopt);
   }
   this->Shading->Detach();
-  receivers.Release();
-  maps->NumberOfSlots = 0;
+  technique->NumberOfSlots = 0;
   return done;
 #else
   return false;
+#endif
+}
+
+// Sample lights of the truth as the user asked for: the choice may have set the ray cast otherwise.
+int vtkShadowPass::Internals::SamplesOfTruth()
+{
+#ifdef VTKSHADOWS_WITH_EMBREE
+  const int own = this->Chooser.OwnSamples("ray-cast");
+  return own > 0 ? own : this->GetRayCast()->GetLightSamples();
+#else
+  return 1;
 #endif
 }
 
@@ -1626,8 +1683,8 @@ double vtkShadowPass::TimeBareTracing(vtkRenderer* renderer)
 
 //------------------------------------------------------------------------------
 // The truth of light `light` at every pixel, and what each pixel is to the measure.
-bool vtkShadowPass::Internals::TraceTruth(
-  const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light, Measured& measured)
+bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
+  vtkShadowReceiverBuffer& receivers, int light, int samples, Measured& measured)
 {
 #ifdef VTKSHADOWS_WITH_EMBREE
   const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
@@ -1637,8 +1694,9 @@ bool vtkShadowPass::Internals::TraceTruth(
   vtkRayCastShadowPass* reference = this->GetRayCast();
   std::vector<float> nearby;
   if (!receivers.Draw(frame) ||
-    !reference->TraceVisibility(frame, receivers, ray, 1.0, measured.Truth) ||
-    !reference->TraceVisibility(frame, receivers, ray, 4.0, nearby))
+    !reference->TraceVisibility(frame, receivers, ray, 1.0, samples, measured.Truth) ||
+    !reference->TraceVisibility(
+      frame, receivers, ray, 4.0, std::min(samples, SamplesOfUncertainty), nearby))
   {
     return false;
   }
@@ -1698,7 +1756,7 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
     return false;
   }
 
-  const bool done = my.TraceTruth(frame, my.Receivers, index, measured) &&
+  const bool done = my.TraceTruth(frame, my.Receivers, index, my.SamplesOfTruth(), measured) &&
     my.Receivers.DrawVisibility(frame, index, measured.Visibility);
   my.End();
   if (!done)

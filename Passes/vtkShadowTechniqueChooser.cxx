@@ -1,6 +1,6 @@
 #include "vtkShadowTechniqueChooser.h"
 
-#include "vtkDepthShadowMapPass.h"
+#include "ShadowCandidates.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderer.h"
@@ -21,15 +21,8 @@ using vtkshadows::ShadowSetting;
 using vtkshadows::Standing;
 
 const char* const Maps = "depth-map";
-const char* const ByVolumes = "stencil-volume";
-// By what they are expected to cost.
-const char* const ExactTechniques[] = { "planar", ByVolumes, "ray-cast" };
+const char* const ExactTechniques[] = { "planar", "stencil-volume", "ray-cast" };
 
-// As vtkDepthShadowMapPass has them by itself; other values are the user's.
-constexpr int UsualResolution = 2048;
-constexpr int UsualCascades = 1;
-constexpr int UsualFilter = vtkDepthShadowMapPass::PERCENTAGE_CLOSER;
-constexpr int ChosenCascades = 4;
 constexpr double ReachOfCascades = 0.3;
 
 // Above this many triangles no tree is built only to measure, unless a budget of error asks for it.
@@ -40,6 +33,10 @@ constexpr double MostTrianglesMeasured = 5.0e6;
 constexpr double OtherPicture = 0.3;
 constexpr double SamePicture = 0.02;
 constexpr double MeasuringShare = 20.0;
+// The same in a motion for what is not in use, as long as that serves.
+constexpr double MeasuringShareOfOthers = 100.0;
+// A setting expected to cost this many times the cheapest that is right is not measured.
+constexpr double NotPromising = 4.0;
 // Times what was measured that an error may be at once, for what is chosen already and for what is
 // not; and what drift adds.
 constexpr double MarginOfChosen = 1.05;
@@ -70,27 +67,6 @@ ShadowSetting Exactly(const char* technique)
   return setting;
 }
 
-ShadowSetting MapOf(int resolution, int cascades, int filter)
-{
-  ShadowSetting setting;
-  setting.technique = Maps;
-  setting.resolution = resolution;
-  setting.cascades = cascades;
-  setting.filter = vtkDepthShadowMapPass::GetFilterName(filter);
-  return setting;
-}
-
-int FilterNamed(const std::string& name)
-{
-  int filter = 0;
-  while (filter < vtkDepthShadowMapPass::GetNumberOfFilters() &&
-    vtkDepthShadowMapPass::GetFilterName(filter) != name)
-  {
-    ++filter;
-  }
-  return filter;
-}
-
 bool IsSameLight(const vtkshadows::ShadowLight& a, const vtkshadows::ShadowLight& b)
 {
   return a.kind == b.kind && a.position == b.position && a.direction == b.direction &&
@@ -114,57 +90,9 @@ double vtkShadowTechniqueChooser::Verdict::Figure() const
 }
 
 //------------------------------------------------------------------------------
-vtkShadowTechniqueChooser::MapSettings vtkShadowTechniqueChooser::SettingsOf(
-  vtkDepthShadowMapPass* maps)
+void vtkShadowTechniqueChooser::Rest()
 {
-  return { maps->GetResolution(), maps->GetNumberOfCascades(), maps->GetFilter() };
-}
-
-void vtkShadowTechniqueChooser::Apply(vtkDepthShadowMapPass* maps, const MapSettings& settings)
-{
-  maps->SetResolution(settings.Resolution);
-  maps->SetNumberOfCascades(settings.Cascades);
-  maps->SetFilter(settings.Filter);
-}
-
-void vtkShadowTechniqueChooser::Apply(vtkDepthShadowMapPass* maps, const Setting& setting)
-{
-  this->Applied = { setting.resolution, setting.cascades, FilterNamed(setting.filter) };
-  this->HasApplied = true;
-  Apply(maps, this->Applied);
-}
-
-//------------------------------------------------------------------------------
-// What is not as the choice left it was set by the user since.
-void vtkShadowTechniqueChooser::NoteUsersSettings(vtkDepthShadowMapPass* maps)
-{
-  const MapSettings now = SettingsOf(maps);
-  if (!this->HasApplied)
-  {
-    this->Own = now;
-    return;
-  }
-  const auto note = [](int value, int& applied, int& own)
-  {
-    if (value != applied)
-    {
-      own = value;
-      applied = value;
-    }
-  };
-  note(now.Resolution, this->Applied.Resolution, this->Own.Resolution);
-  note(now.Cascades, this->Applied.Cascades, this->Own.Cascades);
-  note(now.Filter, this->Applied.Filter, this->Own.Filter);
-}
-
-void vtkShadowTechniqueChooser::Rest(vtkDepthShadowMapPass* maps)
-{
-  if (this->HasApplied && maps)
-  {
-    this->NoteUsersSettings(maps);
-    Apply(maps, this->Own);
-  }
-  this->HasApplied = false;
+  this->Settings.PutBack();
   this->IsChosen = false;
   this->Chosen.clear();
   this->Unseen.clear();
@@ -251,78 +179,80 @@ std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::L
 }
 
 //------------------------------------------------------------------------------
-// The cheapest first. What the user has set, or what another light relies on, is not varied.
-std::vector<ShadowSetting> vtkShadowTechniqueChooser::MapSettingsToTry(
-  const Request& request, bool anySoft, bool anyHard, bool anyCascaded) const
+// The cheapest to be expected first. What the user has set, or what another light relies on, is not
+// varied.
+std::vector<ShadowSetting> vtkShadowTechniqueChooser::SettingsToTry(const Request& request) const
 {
-  using Pass = vtkDepthShadowMapPass;
-  std::vector<MapSettings> varied;
-  if (anyHard)
+  const auto any = [&](const auto& says)
+  { return std::any_of(this->Chosen.begin(), this->Chosen.end(), says); };
+  vtkshadows::CandidateScope scope;
+  scope.anySoft = any([](const ChosenLight& l) { return l.Needs.isSoft; });
+  scope.anyHard = any([](const ChosenLight& l) { return !l.Needs.isSoft; });
+  // Cascades are for what reaches much farther from the eye than its nearest part lies.
+  scope.anyCascaded = !request.Frame->Renderer->GetActiveCamera()->GetParallelProjection() &&
+    any([](const ChosenLight& l)
+      { return l.Needs.isDirectional && l.Now.Distance < ReachOfCascades * l.Now.Reach; });
+  scope.anyTextured = !this->IsMoving;
+
+  std::vector<Setting> settings;
+  for (Setting setting : vtkshadows::CandidateSettings(scope, this->Scene))
   {
-    varied = { { 1024, 1, UsualFilter }, { 2048, 1, UsualFilter } };
-    if (anyCascaded)
-    {
-      varied.push_back({ 1024, ChosenCascades, UsualFilter });
-    }
-    varied.push_back({ 4096, 1, UsualFilter });
-    varied.push_back({ 2048, 1, Pass::EXACT });
-    if (anyCascaded)
-    {
-      varied.push_back({ 2048, ChosenCascades, Pass::EXACT });
-    }
-  }
-  if (anySoft)
-  {
-    varied.push_back({ 1024, 1, Pass::SOFT });
-    varied.push_back({ 2048, 1, Pass::SOFT });
-    varied.push_back({ 2048, 1, Pass::SAMPLE_LIGHTS });
-  }
-  std::vector<ShadowSetting> settings;
-  for (MapSettings one : varied)
-  {
-    const bool fixed = request.MapsAreNamed;
-    one.Resolution =
-      fixed || this->Own.Resolution != UsualResolution ? this->Own.Resolution : one.Resolution;
-    one.Cascades = fixed || this->Own.Cascades != UsualCascades ? this->Own.Cascades : one.Cascades;
-    one.Filter = fixed || this->Own.Filter != UsualFilter ? this->Own.Filter : one.Filter;
-    // Filters differ in the depths that they have.
-    if (!Pass::HasDepthBits(Pass::GetFilterName(one.Filter), request.Maps->GetDepthBits()))
-    {
-      continue;
-    }
-    const ShadowSetting setting = MapOf(one.Resolution, one.Cascades, one.Filter);
-    if (std::find(settings.begin(), settings.end(), setting) == settings.end())
+    const bool fixed = request.Named.count(setting.technique) > 0;
+    if (this->Settings.Confine(setting, fixed) &&
+      std::find(settings.begin(), settings.end(), setting) == settings.end())
     {
       settings.push_back(setting);
     }
   }
+  const auto cost = [&](const Setting& setting)
+  {
+    double sum = 0.0;
+    for (const ChosenLight& light : this->Chosen)
+    {
+      sum += this->CostOf(setting, light);
+    }
+    return sum;
+  };
+  std::stable_sort(settings.begin(), settings.end(),
+    [&](const Setting& a, const Setting& b) { return cost(a) < cost(b); });
   return settings;
 }
 
 //------------------------------------------------------------------------------
-double vtkShadowTechniqueChooser::MarginOf(const Setting& setting, double drift) const
+bool vtkShadowTechniqueChooser::IsInUse(const Setting& setting, const ChosenLight& light) const
 {
-  const FrameWay* way = this->Trials().GetWays().empty() ? nullptr : &this->Trials().Way();
-  const bool isChosen =
-    way && std::find(way->settings.begin(), way->settings.end(), setting) != way->settings.end();
-  return (isChosen ? MarginOfChosen : MarginOfOthers) + MarginOfDrift * drift;
+  const auto known = this->InUse.find(light.Source);
+  return known != this->InUse.end() && known->second == setting;
 }
 
-bool vtkShadowTechniqueChooser::NeedsMeasure(const Setting& setting, const ChosenLight& light) const
+double vtkShadowTechniqueChooser::MarginOf(
+  const Setting& setting, const ChosenLight& light, double drift) const
+{
+  return (this->IsInUse(setting, light) ? MarginOfChosen : MarginOfOthers) + MarginOfDrift * drift;
+}
+
+// What is urgent may be needed for this frame.
+bool vtkShadowTechniqueChooser::NeedsMeasure(
+  const Setting& setting, const ChosenLight& light, bool isUrgent) const
 {
   const auto record = this->Errors.Find(setting, light.Now);
   if (!record)
   {
     return true;
   }
+  if (!isUrgent)
+  {
+    const double share = this->IsMoving ? MeasuringShareOfOthers : MeasuringShare;
+    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost;
+  }
   const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
   const bool soft = light.Needs.isSoft;
-  if (!vtkshadows::IsWithin(this->Budget, record->Error, soft, this->MarginOf(setting, 0.0)))
+  if (!vtkshadows::IsWithin(this->Budget, record->Error, soft, this->MarginOf(setting, light, 0.0)))
   {
     return record->Drift > OtherPicture && !mayWait;
   }
   const bool isClose = !vtkshadows::IsWithin(
-    this->Budget, record->Error, soft, this->MarginOf(setting, record->Drift));
+    this->Budget, record->Error, soft, this->MarginOf(setting, light, record->Drift));
   if (this->IsMoving)
   {
     return (isClose || record->Drift > SamePicture) && !mayWait;
@@ -331,29 +261,30 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(const Setting& setting, const Chose
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowTechniqueChooser::MeasureFor(
-  const Request& request, const Setting& setting, const std::vector<ChosenLight>& lights)
+// Whether anything was measured.
+bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting& setting,
+  const std::function<bool(const ChosenLight&)>& isUrgent)
 {
   std::vector<int> indices;
-  for (const ChosenLight& light : lights)
+  for (const ChosenLight& light : this->Chosen)
   {
     if (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
-      this->NeedsMeasure(setting, light))
+      this->NeedsMeasure(setting, light, isUrgent(light)))
     {
       indices.push_back(light.Index);
     }
   }
   if (indices.empty() || !request.MeasureErrors)
   {
-    return;
+    return false;
   }
-  this->Apply(request.Maps, setting);
+  this->Settings.Apply(setting);
   const double start = Now();
   std::vector<std::optional<vtkshadows::ErrorPercents>> errors;
-  if (request.MeasureErrors(indices, errors))
+  if (request.MeasureErrors(setting.technique, indices, errors))
   {
     const double cost = Now() - start;
-    for (const ChosenLight& light : lights)
+    for (const ChosenLight& light : this->Chosen)
     {
       const auto found = std::find(indices.begin(), indices.end(), light.Index);
       if (found != indices.end())
@@ -365,38 +296,39 @@ void vtkShadowTechniqueChooser::MeasureFor(
     }
   }
   this->MeasuringSeconds += Now() - start;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
-  const Request& request, const Setting& setting, const ChosenLight& light)
+  const Request& request, const Setting& setting, const ChosenLight& light) const
 {
   Verdict verdict;
   verdict.Soft = light.Needs.isSoft;
   verdict.Standing = vtkshadows::StandingOf(setting, this->Scene, light.Needs);
-  const bool isTooLarge =
-    this->Scene.triangles > MostTrianglesMeasured && !this->Budget.maximumError;
   if (verdict.Standing.kind == Standing::Measured)
   {
     if (const auto record = this->Errors.Find(setting, light.Now))
     {
       verdict.Error = record->Error;
+      // Of another picture it says nothing, unless in a motion, where measures wait.
+      const bool isOfThis =
+        this->IsMoving || record->Drift <= OtherPicture || this->IsInUse(setting, light);
       const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture) : record->Drift;
-      verdict.IsRight = vtkshadows::IsWithin(
-        this->Budget, record->Error, verdict.Soft, this->MarginOf(setting, drift));
+      verdict.IsRight = isOfThis &&
+        vtkshadows::IsWithin(
+          this->Budget, record->Error, verdict.Soft, this->MarginOf(setting, light, drift));
     }
     else
     {
-      verdict.Standing = { Standing::Assumed,
-        isTooLarge ? "the casters are too many triangles to trace for it"
-                   : "the driver gave no buffer to measure in" };
+      verdict.Standing = { Standing::Assumed, "the driver gave no buffer to measure in" };
     }
   }
   if (verdict.Standing.kind == Standing::Exact)
   {
     verdict.IsRight = true;
   }
-  else if (verdict.Standing.kind == Standing::Assumed && setting.IsMap())
+  else if (verdict.Standing.kind == Standing::Assumed)
   {
     // Where nothing better is known it is what serves, no coarser than it is by itself.
     const bool anyExact = std::any_of(std::begin(ExactTechniques), std::end(ExactTechniques),
@@ -405,32 +337,109 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
         return vtkshadows::StandingOf(Exactly(name), this->Scene, light.Needs).kind ==
           Standing::Exact;
       });
-    const bool isFine = setting.resolution >= UsualResolution ||
-      setting.resolution == this->Own.Resolution || request.MapsAreNamed;
-    verdict.IsRight = isFine && (!anyExact || isTooLarge);
+    const bool isFixed = request.Named.count(setting.technique) > 0;
+    const bool isFine = isFixed || setting.resolution == 0 ||
+      setting.resolution >= vtkshadows::UsualMapTexels ||
+      setting.resolution == this->Settings.OwnResolution(setting.technique);
+    const bool isSampled = isFixed || setting.samples == 0 ||
+      setting.samples >= this->Settings.OwnSamples(setting.technique);
+    verdict.IsRight = isFine && isSampled && (!anyExact || this->Scene.isTooLarge);
   }
   return verdict;
 }
 
 //------------------------------------------------------------------------------
-// In frames without shadows, before anything is timed.
 double vtkShadowTechniqueChooser::CostOf(const Setting& setting, const ChosenLight& light) const
 {
-  const double millions = 1.0e-6 * this->Scene.triangles;
-  const double shadows = light.Needs.isSoft ? 16.0 : 1.0;
-  if (setting.IsMap())
+  return vtkshadows::ExpectedCost(setting, this->Scene, light.Needs, this->IsMoving);
+}
+
+//------------------------------------------------------------------------------
+// Verdicts on all that may be of use: what is in use at first; then, the cheapest first, what may
+// be faster than what is right already.
+std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Request& request)
+{
+  const std::vector<ChosenLight>& lights = this->Chosen;
+  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  std::vector<Setting> candidates, right;
+  std::vector<bool> served(lights.size(), false);
+  double cheapest = std::numeric_limits<double>::infinity();
+  this->Verdicts.clear();
+
+  const auto judge = [&](const Setting& setting)
   {
-    const double side = setting.resolution / 2048.0;
-    return (setting.filter == "exact"              ? 0.5
-               : setting.filter == "soft"          ? 1.5
-               : setting.filter == "sample-lights" ? 4.0
-                                                   : 0.25) +
-      (this->IsMoving ? 0.3 * side * side * setting.cascades : 0.02 * side) +
-      0.1 * (setting.cascades - 1);
+    std::vector<Verdict>& verdicts = this->Verdicts[setting.Text()];
+    double cost = 0.0;
+    bool isRight = true, anyFit = false;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      verdicts.push_back(this->Judge(request, setting, lights[i]));
+      const Verdict& verdict = verdicts.back();
+      const bool isFit = verdict.Standing.kind != Standing::Unfit;
+      served[i] = served[i] || verdict.IsRight;
+      isRight = isRight && (verdict.IsRight || !isFit);
+      anyFit = anyFit || isFit;
+      cost += this->CostOf(setting, lights[i]);
+    }
+    candidates.push_back(setting);
+    if (isRight && anyFit)
+    {
+      right.push_back(setting);
+      cheapest = std::all_of(verdicts.begin(), verdicts.end(),
+                   [](const Verdict& verdict) { return verdict.IsRight; })
+        ? std::min(cheapest, cost)
+        : cheapest;
+    }
+    return cost;
+  };
+
+  const std::vector<Setting> settings = this->SettingsToTry(request);
+  for (const Setting& setting : settings)
+  {
+    const auto isInUse = [&](const ChosenLight& light) { return this->IsInUse(setting, light); };
+    if (std::any_of(lights.begin(), lights.end(), isInUse))
+    {
+      this->MeasureFor(request, setting, isInUse);
+      judge(setting);
+    }
   }
-  return setting.technique == "planar" ? 0.5 * shadows
-    : setting.technique == ByVolumes   ? shadows * (1.0 + 2.0 * millions)
-                                       : shadows * 1.6 + 2.0 * millions;
+  bool hasMeasured = this->MeasuringSeconds > 0.0;
+  for (const Setting& setting : settings)
+  {
+    const auto covers = [&](const Setting& known)
+    { return vtkshadows::IsNoFaster(setting, known); };
+    double cost = 0.0;
+    bool isUnknown = false;
+    for (const ChosenLight& light : lights)
+    {
+      cost += this->CostOf(setting, light);
+      isUnknown = isUnknown ||
+        (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
+          !this->Errors.Find(setting, light.Now));
+    }
+    if (this->Verdicts.count(setting.Text()) > 0 ||
+      (!byAccuracy &&
+        (std::any_of(right.begin(), right.end(), covers) ||
+          (isUnknown && cost > NotPromising * cheapest))))
+    {
+      continue;
+    }
+    // As long as what is in use serves, the others are looked at once in a while, one a frame.
+    const bool isServed = std::all_of(served.begin(), served.end(), [](bool is) { return is; });
+    const bool isUrgent = !isServed || (isUnknown && !this->Trials().IsSettled());
+    if (isUrgent || !hasMeasured)
+    {
+      const bool did =
+        this->MeasureFor(request, setting, [isUrgent](const ChosenLight&) { return isUrgent; });
+      hasMeasured = hasMeasured || did;
+    }
+    else if (isUnknown)
+    {
+      continue;
+    }
+    judge(setting);
+  }
+  return candidates;
 }
 
 //------------------------------------------------------------------------------
@@ -438,66 +447,12 @@ double vtkShadowTechniqueChooser::CostOf(const Setting& setting, const ChosenLig
 std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
 {
   const std::vector<ChosenLight>& lights = this->Chosen;
-  std::vector<Setting> candidates;
-  for (const char* name : ExactTechniques)
-  {
-    candidates.push_back(Exactly(name));
-  }
-  const auto any = [&](const auto& says)
-  { return std::any_of(lights.begin(), lights.end(), says); };
-  // Cascades are for what reaches much farther from the eye than its nearest part lies.
-  const bool mayCascade = !request.Frame->Renderer->GetActiveCamera()->GetParallelProjection();
-  const bool anyCascaded = mayCascade &&
-    any([](const ChosenLight& l)
-      { return l.Needs.isDirectional && l.Now.Distance < ReachOfCascades * l.Now.Reach; });
-  const std::vector<Setting> maps =
-    this->MapSettingsToTry(request, any([](const ChosenLight& l) { return l.Needs.isSoft; }),
-      any([](const ChosenLight& l) { return !l.Needs.isSoft; }), anyCascaded);
-
-  this->Verdicts.clear();
-  const auto judge = [&](const Setting& setting)
-  {
-    std::vector<Verdict>& verdicts = this->Verdicts[setting.Text()];
-    verdicts.clear();
-    for (const ChosenLight& light : lights)
-    {
-      verdicts.push_back(this->Judge(request, setting, light));
-    }
-    return verdicts;
-  };
-  std::for_each(candidates.begin(), candidates.end(), judge);
-
-  // Maps, from the coarsest on until they serve every light that they can.
-  const bool isTooLarge =
-    this->Scene.triangles > MostTrianglesMeasured && !this->Budget.maximumError;
-  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
-  std::vector<bool> served(lights.size(), false);
-  for (const Setting& setting : maps)
-  {
-    if (!isTooLarge)
-    {
-      this->MeasureFor(request, setting, lights);
-    }
-    const std::vector<Verdict> verdicts = judge(setting);
-    candidates.push_back(setting);
-    bool all = true;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-    {
-      served[i] = served[i] || verdicts[i].IsRight;
-      all = all && served[i];
-    }
-    // Which of the finest two is the cheaper one is told by time.
-    const bool isFinest = setting.resolution >= 4096;
-    if (all && !byAccuracy && !isFinest)
-    {
-      break;
-    }
-  }
+  const std::vector<Setting> candidates = this->JudgeSettings(request);
 
   // What a light has where the way's own setting is not right for it.
   const auto verdictOf = [&](const Setting& setting, std::size_t light) -> const Verdict&
   { return this->Verdicts[setting.Text()][light]; };
-  const auto elseOf = [&](std::size_t i, const Setting& way)
+  const auto elseOf = [&](std::size_t i, const Setting& own, const std::vector<Setting>& others)
   {
     const Setting* best = nullptr;
     const auto rank = [&](const Setting& setting)
@@ -508,15 +463,17 @@ std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
     };
     for (const Setting& setting : candidates)
     {
-      // The settings of maps are those of all lights.
-      const bool isOther = setting.IsMap() && way.IsMap() && !(setting == way);
-      if (!isOther && verdictOf(setting, i).Standing.kind != Standing::Unfit &&
+      // The settings of a technique are those of all lights.
+      const auto isOther = [&](const Setting& one)
+      { return one.technique == setting.technique && !(one == setting); };
+      if (!isOther(own) && std::none_of(others.begin(), others.end(), isOther) &&
+        verdictOf(setting, i).Standing.kind != Standing::Unfit &&
         (!best || rank(setting) < rank(*best)))
       {
         best = &setting;
       }
     }
-    return best ? *best : maps.empty() ? Exactly("") : way.IsMap() ? way : maps.front();
+    return best ? *best : Exactly("");
   };
 
   std::vector<FrameWay> ways;
@@ -525,13 +482,10 @@ std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
     FrameWay way;
     way.cost = 1.0;
     bool isUsed = false;
-    // Among what else serves, all maps of a way are of one setting.
-    Setting shared = setting;
     for (std::size_t i = 0; i < lights.size(); ++i)
     {
       const bool isRight = verdictOf(setting, i).IsRight;
-      const Setting own = isRight ? setting : elseOf(i, shared);
-      shared = own.IsMap() ? own : shared;
+      const Setting own = isRight ? setting : elseOf(i, setting, way.settings);
       const Verdict& verdict = own.technique.empty() ? verdictOf(setting, i) : verdictOf(own, i);
       isUsed = isUsed || own == setting;
       way.settings.push_back(own);
@@ -573,8 +527,10 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
 {
   this->MeasuringSeconds = 0.0;
   this->NoteMotion(request);
-  this->NoteUsersSettings(request.Maps);
+  this->Settings.Note(request.Pass);
   this->Scene = this->Needs.Of(*request.Frame, request.HasRays, request.Planes);
+  this->Scene.isTooLarge =
+    this->Scene.triangles > MostTrianglesMeasured && !this->Budget.maximumError;
   const std::vector<bool> reach = this->Needs.Reach(*request.Frame, request.Lights);
   this->Chosen = this->LightsOf(request, reach);
   this->Unseen.clear();
@@ -624,19 +580,19 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
     : this->Trials().Current();
   const std::vector<Setting>& settings = there[this->Drawn].settings;
   this->LastSettings = settings;
-  const Setting* map = nullptr;
+  this->InUse.clear();
+  for (std::size_t i = 0; i < this->Chosen.size(); ++i)
+  {
+    this->InUse[this->Chosen[i].Source] = settings[i];
+  }
   for (std::size_t i = 0, k = 0; i < request.Lights.size(); ++i)
   {
     if (reach[i])
     {
       const Setting& setting = settings[k++];
       techniques[i] = setting.technique;
-      map = setting.IsMap() ? &setting : map;
+      this->Settings.Apply(setting);
     }
-  }
-  if (map)
-  {
-    this->Apply(request.Maps, *map);
   }
   return techniques;
 }
@@ -686,14 +642,16 @@ std::string vtkShadowTechniqueChooser::Explain(const vtkLight* light) const
   if (own != this->Verdicts.end())
   {
     const Verdict& verdict = own->second[index];
+    reasons.setting.samples = reasons.isSoft ? reasons.setting.samples : 0;
     reasons.standing = verdict.Standing;
     reasons.error = verdict.Error;
     reasons.isRight = verdict.IsRight;
   }
-  std::vector<std::string> told = { reasons.setting.Text() };
+  std::vector<std::string> told = { trials.GetWays()[this->Drawn].settings[index].Text() };
   for (std::size_t i = 0; i < trials.GetWays().size(); ++i)
   {
-    const Setting& other = trials.GetWays()[i].settings[index];
+    Setting other = trials.GetWays()[i].settings[index];
+    other.samples = reasons.isSoft ? other.samples : 0;
     const std::optional<double> seconds = trials.SecondsOf(i);
     if (i != this->Drawn && seconds &&
       std::find(told.begin(), told.end(), other.Text()) == told.end())
@@ -702,9 +660,11 @@ std::string vtkShadowTechniqueChooser::Explain(const vtkLight* light) const
       reasons.others.push_back(other.Text() + " takes " + vtkshadows::SecondsText(*seconds));
     }
   }
+  std::vector<std::string> unfit; // as it is whatever the setting
   for (const auto& known : this->Verdicts)
   {
     const Verdict& verdict = known.second[index];
+    const std::string technique = known.first.substr(0, known.first.find(' '));
     if (std::find(told.begin(), told.end(), known.first) != told.end() || verdict.IsRight)
     {
       continue;
@@ -714,9 +674,11 @@ std::string vtkShadowTechniqueChooser::Explain(const vtkLight* light) const
       reasons.refused.push_back(
         known.first + ": " + vtkshadows::ErrorText(*verdict.Error, this->Budget, reasons.isSoft));
     }
-    else if (verdict.Standing.kind == Standing::Unfit && known.first.find(Maps) != 0)
+    else if (verdict.Standing.kind == Standing::Unfit && technique != Maps &&
+      std::find(unfit.begin(), unfit.end(), technique) == unfit.end())
     {
-      reasons.refused.push_back(known.first + ": " + verdict.Standing.why);
+      unfit.push_back(technique);
+      reasons.refused.push_back(technique + ": " + verdict.Standing.why);
     }
   }
   return vtkshadows::Explain(reasons, this->Budget);

@@ -4,33 +4,33 @@
 #ifndef vtkShadowTechniqueChooser_h
 #define vtkShadowTechniqueChooser_h
 
-#include "TechniqueChoice.h"
+#include "FrameTrials.h"
+#include "vtkShadowChosenSettings.h"
 #include "vtkShadowMeasuredErrors.h"
 #include "vtkShadowSceneNeeds.h"
 
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
-
-class vtkDepthShadowMapPass;
 
 class vtkShadowTechniqueChooser
 {
 public:
-  // Measures a setting, which is applied already, for `lights` (indices into the scene's); one
-  // error a light, none where the light shines on nothing that could be measured. false if it
-  // cannot.
-  using Measure = std::function<bool(
-    const std::vector<int>& lights, std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)>;
+  // Measures a technique, whose settings are applied already, for `lights` (indices into the
+  // scene's); one error a light, none where the light shines on nothing that could be measured.
+  // false if it cannot.
+  using Measure = std::function<bool(const std::string& technique, const std::vector<int>& lights,
+    std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)>;
 
   struct Request
   {
     const vtkShadowFrame* Frame = nullptr;
-    std::vector<int> Lights;               // that are to be given a technique
-    vtkDepthShadowMapPass* Maps = nullptr; // whose settings may be chosen
-    bool MapsAreNamed = false;             // another light names that technique: they may not
+    std::vector<int> Lights;                // that are to be given a technique
+    vtkShadowChosenSettings::FindPass Pass; // whose settings may be chosen
+    std::set<std::string> Named;            // but not of these, which other lights name
     bool HasRays = false;
     int Planes = 0;      // that may receive, at most
     bool IsDrawn = true; // for a frame, and not for a read-back
@@ -41,7 +41,12 @@ public:
   std::vector<std::string> Choose(const Request& request);
 
   // No light is to be given a technique: put settings back as they were found.
-  void Rest(vtkDepthShadowMapPass* maps);
+  void Rest();
+  // Sample lights of a technique, as the user has them.
+  int OwnSamples(const std::string& technique) const
+  {
+    return this->Settings.OwnSamples(technique);
+  }
 
   void SetBudget(const vtkshadows::ShadowBudget& budget) { this->Budget = budget; }
   const vtkshadows::ShadowBudget& GetBudget() const { return this->Budget; }
@@ -61,18 +66,6 @@ public:
 private:
   using Setting = vtkshadows::ShadowSetting;
 
-  // The settings of depth maps that are varied.
-  struct MapSettings
-  {
-    int Resolution = 0;
-    int Cascades = 0;
-    int Filter = 0;
-    bool operator==(const MapSettings& o) const
-    {
-      return this->Resolution == o.Resolution && this->Cascades == o.Cascades &&
-        this->Filter == o.Filter;
-    }
-  };
   struct ChosenLight
   {
     int Index = 0;
@@ -90,20 +83,16 @@ private:
     bool Soft = false;
   };
 
-  static MapSettings SettingsOf(vtkDepthShadowMapPass* maps);
-  static void Apply(vtkDepthShadowMapPass* maps, const MapSettings& settings);
-  void Apply(vtkDepthShadowMapPass* maps, const Setting& setting);
-  void NoteUsersSettings(vtkDepthShadowMapPass* maps);
-
   void NoteMotion(const Request& request);
   std::vector<ChosenLight> LightsOf(const Request& request, const std::vector<bool>& reach) const;
-  std::vector<Setting> MapSettingsToTry(
-    const Request& request, bool anySoft, bool anyHard, bool anyCascaded) const;
-  Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light);
-  void MeasureFor(
-    const Request& request, const Setting& setting, const std::vector<ChosenLight>& lights);
-  bool NeedsMeasure(const Setting& setting, const ChosenLight& light) const;
-  double MarginOf(const Setting& setting, double drift) const;
+  std::vector<Setting> SettingsToTry(const Request& request) const;
+  Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light) const;
+  bool MeasureFor(const Request& request, const Setting& setting,
+    const std::function<bool(const ChosenLight&)>& isUrgent);
+  bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
+  bool IsInUse(const Setting& setting, const ChosenLight& light) const;
+  double MarginOf(const Setting& setting, const ChosenLight& light, double drift) const;
+  std::vector<Setting> JudgeSettings(const Request& request);
   std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
   double CostOf(const Setting& setting, const ChosenLight& light) const;
   vtkshadows::FrameTrials& Trials() { return this->IsMoving ? this->Moving : this->Static; }
@@ -121,10 +110,10 @@ private:
   std::vector<ChosenLight> Chosen;     // of the last Choose, those that reach something
   std::vector<const vtkLight*> Unseen; // and those that do not
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
-  std::vector<Setting> Fallbacks;                       // tried beside maps
   bool IsChosen = false;
   std::size_t Drawn = 0; // among the ways: the last Choose's
   std::vector<Setting> LastSettings;
+  std::map<const vtkLight*, Setting> InUse; // the same, by light
   double MeasuringSeconds = 0.0;
   double TimedFor[3] = { 0.0, 0.0, 0.0 }; // triangles, pixels and lights that times are of
 
@@ -135,9 +124,7 @@ private:
   double CasterChanges = 0.0;
   std::vector<vtkshadows::ShadowLight> LightsBefore;
 
-  bool HasApplied = false;
-  MapSettings Own;     // the user's
-  MapSettings Applied; // the choice's
+  vtkShadowChosenSettings Settings;
 };
 
 #endif

@@ -17,6 +17,8 @@ namespace
 // For "auto" to notice what moves, and to make its choice.
 constexpr int FewestFramesOfChoice = 4;
 constexpr int MostFramesOfChoice = 200;
+// Frames in a row that it has stayed as it is: a measure may unsettle it.
+constexpr int FramesOfRest = 10;
 
 // Of one frame. The camera swings to and fro by degrees; lights circle by a share of the scene.
 constexpr double CameraStep = 0.4;
@@ -96,14 +98,12 @@ double RenderMilliseconds(Stage& stage)
 void SettleChoice(Stage& stage, const std::function<void()>& move)
 {
   stage.ShowShadows(true);
-  for (int i = 0; i < MostFramesOfChoice; ++i)
+  int settled = 0;
+  for (int i = 0; i < MostFramesOfChoice && settled < FramesOfRest; ++i)
   {
     move();
     stage.Window().Render();
-    if (i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled())
-    {
-      return;
-    }
+    settled = i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled() ? settled + 1 : 0;
   }
 }
 

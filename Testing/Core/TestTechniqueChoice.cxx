@@ -2,14 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-
 namespace
 {
 
-using vtkshadows::FrameTrials;
-using vtkshadows::FrameWay;
 using vtkshadows::SceneNeeds;
 using vtkshadows::ShadowBudget;
 using vtkshadows::ShadowSetting;
@@ -46,39 +41,6 @@ Standing::Kind KindOf(const ShadowSetting& setting, const SceneNeeds& scene, boo
   EXPECT_EQ(
     standing.why.empty(), standing.kind == Standing::Exact || standing.kind == Standing::Measured);
   return standing.kind;
-}
-
-FrameWay Way(const std::string& technique, double cost, double error = 0.0)
-{
-  FrameWay way;
-  way.settings = { Named(technique) };
-  way.cost = cost;
-  way.error = error;
-  return way;
-}
-
-// Draws frames, each in what its way takes; what was drawn, in order.
-std::vector<std::string> Draw(
-  FrameTrials& trials, const std::map<std::string, double>& seconds, int frames)
-{
-  std::vector<std::string> drawn;
-  for (int i = 0; i < frames; ++i)
-  {
-    const std::string name = trials.Way().settings[0].technique;
-    drawn.push_back(name);
-    trials.FrameDrawn(trials.WantsTime() ? std::optional<double>(seconds.at(name)) : std::nullopt);
-  }
-  return drawn;
-}
-
-int Changes(const std::vector<std::string>& drawn)
-{
-  int changes = 0;
-  for (std::size_t i = 1; i < drawn.size(); ++i)
-  {
-    changes += drawn[i] != drawn[i - 1] ? 1 : 0;
-  }
-  return changes;
 }
 
 }
@@ -141,6 +103,34 @@ TEST(TechniqueChoice, WhatASceneAsks)
 }
 
 //------------------------------------------------------------------------------
+// Sample lights, each exact, are measured where there is a truth.
+TEST(TechniqueChoice, SampleLightsAreMeasured)
+{
+  ShadowSetting volumes = Named("stencil-volume");
+  volumes.samples = 8;
+  EXPECT_EQ(KindOf(volumes, Plain(), true), Standing::Measured);
+  EXPECT_EQ(KindOf(volumes, Plain(), false), Standing::Exact);
+  SceneNeeds noRays = Plain();
+  noRays.hasRays = false;
+  EXPECT_EQ(KindOf(volumes, noRays, true), Standing::Exact);
+  SceneNeeds large = Plain();
+  large.isTooLarge = true;
+  EXPECT_EQ(KindOf(volumes, large, true), Standing::Exact);
+  EXPECT_EQ(KindOf(Map(2048), large), Standing::Assumed);
+
+  ShadowSetting textured = Named("planar");
+  textured.resolution = 2048;
+  SceneNeeds flat = Plain();
+  EXPECT_EQ(KindOf(textured, flat), Standing::Unfit);
+  flat.receivesFlat = true;
+  EXPECT_EQ(KindOf(textured, flat), Standing::Measured);
+  flat.receivesTranslucent = true;
+  EXPECT_EQ(KindOf(textured, flat), Standing::Measured);
+  EXPECT_EQ(textured.Text(), "planar (2048 texels)");
+  EXPECT_EQ(volumes.Text(), "stencil-volume (8 samples)");
+}
+
+//------------------------------------------------------------------------------
 TEST(TechniqueChoice, Budgets)
 {
   vtkshadows::ErrorPercents error;
@@ -163,108 +153,15 @@ TEST(TechniqueChoice, Budgets)
   soft.meanDifference = 0.6;
   EXPECT_FALSE(vtkshadows::IsWithin(budget, soft, true, 1.0));
   EXPECT_TRUE(vtkshadows::IsWithin(budget, soft, false, 1.0));
-}
 
-//------------------------------------------------------------------------------
-TEST(TechniqueChoice, TheFastestIsFoundAndStays)
-{
-  FrameTrials trials;
-  trials.SetWays({ Way("a", 1.3), Way("b", 2.0), Way("c", 2.6) }, {});
-  const std::map<std::string, double> seconds = { { "a", 0.030 }, { "b", 0.020 }, { "c", 0.050 } };
-  const std::vector<std::string> drawn = Draw(trials, seconds, 30);
-  EXPECT_EQ(drawn.front(), "a"); // what is expected to be the cheapest
-  EXPECT_TRUE(trials.IsSettled());
-  EXPECT_EQ(drawn.back(), "b");
-  EXPECT_LE(Changes(drawn), 5); // each was tried twice at most
-  // Then it never changes, though the same ways are named in every frame.
-  for (int i = 0; i < 300; ++i)
-  {
-    trials.SetWays({ Way("a", 1.3), Way("b", 2.0), Way("c", 2.6) }, {});
-    EXPECT_EQ(Draw(trials, seconds, 1).front(), "b");
-  }
-}
-
-//------------------------------------------------------------------------------
-// A machine that is busy for a few frames does not decide.
-TEST(TechniqueChoice, ABusyMachineDoesNotDecide)
-{
-  for (int busy = 0; busy < 8; ++busy)
-  {
-    FrameTrials trials;
-    trials.SetWays({ Way("a", 1.3), Way("b", 2.0) }, {});
-    for (int i = 0; i < 30; ++i)
-    {
-      const double seconds = trials.Way().settings[0].technique == "a" ? 0.010 : 0.015;
-      trials.FrameDrawn(trials.WantsTime()
-          ? std::optional<double>(i >= busy && i < busy + 3 ? 1.55 * seconds : seconds)
-          : std::nullopt);
-    }
-    EXPECT_EQ(trials.Way().settings[0].technique, "a") << "busy from frame " << busy;
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(TechniqueChoice, ALittleDecidesNothing)
-{
-  FrameTrials trials;
-  trials.SetWays({ Way("a", 1.3), Way("b", 2.0) }, {});
-  Draw(trials, { { "a", 0.0200 }, { "b", 0.0195 } }, 30);
-  EXPECT_TRUE(trials.IsSettled());
-  EXPECT_EQ(trials.Way().settings[0].technique, "a"); // which is expected to cost less
-}
-
-//------------------------------------------------------------------------------
-TEST(TechniqueChoice, WhatIsFarTooDearIsNotTried)
-{
-  FrameTrials trials;
-  trials.SetWays({ Way("a", 1.3), Way("b", 30.0) }, {});
-  const std::vector<std::string> drawn = Draw(trials, { { "a", 0.02 } }, 20);
-  EXPECT_EQ(std::count(drawn.begin(), drawn.end(), "b"), 0);
-  EXPECT_TRUE(trials.IsSettled());
-}
-
-//------------------------------------------------------------------------------
-TEST(TechniqueChoice, AnotherTimeIsNoticed)
-{
-  FrameTrials trials;
-  trials.SetWays({ Way("a", 1.3), Way("b", 2.0) }, {});
-  Draw(trials, { { "a", 0.010 }, { "b", 0.015 } }, 20);
-  EXPECT_EQ(trials.Way().settings[0].technique, "a");
-  // One slow frame is none; for good, the other is found.
-  const std::vector<std::string> drawn = Draw(trials, { { "a", 0.050 }, { "b", 0.015 } }, 100);
-  EXPECT_EQ(drawn.back(), "b");
-}
-
-//------------------------------------------------------------------------------
-TEST(TechniqueChoice, WhatIsNoLongerRightIsLeftAtOnce)
-{
-  FrameTrials trials;
-  trials.SetWays({ Way("a", 1.3), Way("b", 2.0) }, {});
-  Draw(trials, { { "a", 0.010 }, { "b", 0.015 } }, 20);
-  EXPECT_EQ(trials.Way().settings[0].technique, "a");
-  trials.SetWays({ Way("b", 2.0) }, {});
-  EXPECT_EQ(trials.Way().settings[0].technique, "b");
-  trials.SetWays({ Way("a", 1.3), Way("b", 2.0) }, {});
-  EXPECT_EQ(trials.Way().settings[0].technique, "a"); // whose time is known
-  EXPECT_TRUE(trials.IsSettled());
-}
-
-//------------------------------------------------------------------------------
-TEST(TechniqueChoice, ATimeAloneBuysAccuracy)
-{
-  const std::vector<FrameWay> ways = { Way("coarse", 1.2, 0.5), Way("fine", 1.4, 0.1),
-    Way("exact", 2.0), Way("slow", 2.5) };
-  const std::map<std::string, double> seconds = { { "coarse", 0.010 }, { "fine", 0.012 },
-    { "exact", 0.020 }, { "slow", 0.040 } };
-  for (const auto& expected : std::map<double, std::string>{ { 0.011, "coarse" }, { 0.015, "fine" },
-         { 0.025, "exact" }, { 0.100, "exact" }, { 0.001, "coarse" } })
-  {
-    FrameTrials trials;
-    ShadowBudget budget;
-    budget.maximumSeconds = expected.first;
-    trials.SetWays(ways, budget);
-    EXPECT_EQ(Draw(trials, seconds, 30).back(), expected.second) << expected.first;
-  }
+  // Without a budget, steps in the penumbra count, however small it is.
+  EXPECT_TRUE(vtkshadows::IsWithin({}, soft, true, 1.0));
+  soft.penumbraDifference = 2.0 * vtkshadows::MostPenumbraDifferencePercent;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, soft, true, 1.0));
+  EXPECT_TRUE(vtkshadows::IsWithin({}, soft, false, 1.0));
+  soft.penumbraDifference = 0.0;
+  soft.meanDifference = 2.0 * vtkshadows::MostSoftDifferencePercent;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, soft, true, 1.0));
 }
 
 //------------------------------------------------------------------------------

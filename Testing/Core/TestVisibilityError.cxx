@@ -289,6 +289,20 @@ TEST(VisibilityError, SoftValuesMismatchAboveHalf)
   EXPECT_DOUBLE_EQ(error.MeanAbsoluteDifference(), 0.5625);
 }
 
+// Where the truth or the technique is neither lit nor in shadow.
+TEST(VisibilityError, PenumbraOfEither)
+{
+  Scene scene(5, 1);
+  scene.truth = { 1.0f, 1.0f, 0.5f, 0.0f, 0.0f };
+  scene.visibility = { 1.0f, 0.75f, 0.0f, 0.0f, 1.0f };
+  const VisibilityError error = scene.Measure();
+  EXPECT_EQ(error.penumbraPixels, 2u);
+  EXPECT_DOUBLE_EQ(error.MeanPenumbraDifference(), 0.375);
+  EXPECT_DOUBLE_EQ(error.MeanAbsoluteDifference(), 0.35);
+  scene.truth = scene.visibility = { 1.0f, 1.0f, 1.0f, 0.0f, 0.0f };
+  EXPECT_EQ(scene.Measure().MeanPenumbraDifference(), 0.0);
+}
+
 // A truth of exactly 0.5 is shadow: an edge toward 0.75, none toward 0.25.
 TEST(VisibilityError, HalfLitTruthIsShadow)
 {

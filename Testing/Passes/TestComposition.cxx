@@ -364,9 +364,10 @@ TEST_F(Composition, TechniquePassAlone)
   Check("maps built", static_cast<double>(map->GetNumberOfMapBuilds()), 1.0);
   this->Render();
   Check("maps built by another frame", static_cast<double>(map->GetNumberOfMapBuilds()), 1.0);
-  if (this->Shadows->GetRayCastShadowPass())
+  // Not by its class, which a build without Embree has only the header of.
+  if (auto* known = this->Shadows->GetRayCastShadowPass())
   {
-    auto rays = vtk::TakeSmartPointer(vtkRayCastShadowPass::New());
+    auto rays = vtk::TakeSmartPointer(known->NewInstance());
     this->Renderer->SetPass(rays);
     this->CheckSamples("ray cast pass alone", this->Render(), plain, this->Renderer);
   }

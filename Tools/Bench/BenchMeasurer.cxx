@@ -412,6 +412,7 @@ BenchJson BenchMeasurer::ErrorsOf(const BenchEntrant& entrant)
     error["gross_missed_pixels"] = measure->GetGrossMissedPixels();
     error["gross_percent"] = measure->GetGrossPercent();
     error["mean_absolute_difference"] = measure->GetMeanAbsoluteDifference();
+    error["mean_penumbra_difference"] = measure->GetMeanPenumbraDifference();
     const std::string picture =
       FileName(run.scene + "--" + run.setting.name + "--" + std::to_string(light) + ".png");
     this->listener.picture(picture, PngOfBytes(measure->GetErrorMap()));

@@ -1,0 +1,140 @@
+#include "ShadowCandidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace vtkshadows
+{
+namespace
+{
+
+constexpr int ChosenCascades = 4;
+
+// The order of filters by their work at a pixel; those that are not here are not compared.
+int RankOf(const std::string& filter)
+{
+  return filter == "percentage-closer" ? 0 : filter == "exact" ? 1 : -1;
+}
+
+ShadowSetting By(const char* technique, int samples = 0)
+{
+  ShadowSetting setting;
+  setting.technique = technique;
+  setting.samples = samples;
+  return setting;
+}
+
+ShadowSetting Map(int texels, int cascades, const char* filter, int samples = 0)
+{
+  ShadowSetting setting = By("depth-map", samples);
+  setting.resolution = texels;
+  setting.cascades = cascades;
+  setting.filter = filter;
+  return setting;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::vector<ShadowSetting> CandidateSettings(const CandidateScope& scope, const SceneNeeds& scene)
+{
+  std::vector<ShadowSetting> settings;
+  const bool isMeasured = HasTruth(scene);
+  const auto add = [&](const char* technique, const std::vector<int>& samples, int usual)
+  {
+    if (!scope.anySoft)
+    {
+      settings.push_back(By(technique));
+      return;
+    }
+    for (const int count : isMeasured ? samples : std::vector<int>{ usual })
+    {
+      settings.push_back(By(technique, count));
+    }
+  };
+  add("planar", { 8, 16, 32, 64 }, UsualPlanarSamples);
+  add("stencil-volume", { 4, 8, 16, 32 }, UsualVolumeSamples);
+  add("ray-cast", { 4, 8, 16, 32, 64 }, UsualRaySamples);
+  if (scope.anyTextured && !scope.anySoft)
+  {
+    ShadowSetting textured = By("planar");
+    textured.resolution = UsualPlanarTexels;
+    settings.push_back(textured);
+  }
+
+  if (scope.anyHard)
+  {
+    for (const int texels : { 512, 1024, 2048, 4096 })
+    {
+      settings.push_back(Map(texels, 1, "percentage-closer"));
+    }
+    for (const int texels : { 512, 1024, 2048 })
+    {
+      settings.push_back(Map(texels, 1, "exact"));
+    }
+    if (scope.anyCascaded)
+    {
+      settings.push_back(Map(1024, ChosenCascades, "percentage-closer"));
+      settings.push_back(Map(1024, ChosenCascades, "exact"));
+      settings.push_back(Map(2048, ChosenCascades, "exact"));
+    }
+  }
+  if (scope.anySoft)
+  {
+    for (const int texels : { 512, 1024, 2048 })
+    {
+      settings.push_back(Map(texels, 1, "soft"));
+    }
+    for (const int samples :
+      isMeasured ? std::vector<int>{ 8, 16, 32, 64 } : std::vector<int>{ UsualMapSamples })
+    {
+      settings.push_back(Map(UsualMapTexels, 1, "sample-lights", samples));
+    }
+  }
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than)
+{
+  const auto texels = [](const ShadowSetting& s)
+  { return static_cast<double>(s.resolution) * s.resolution * s.cascades; };
+  if (setting.technique != than.technique || (setting.resolution > 0) != (than.resolution > 0))
+  {
+    return false;
+  }
+  const bool sameFilter = setting.filter == than.filter ||
+    (RankOf(than.filter) >= 0 && RankOf(than.filter) <= RankOf(setting.filter));
+  return sameFilter && texels(setting) >= texels(than) && setting.cascades >= than.cascades &&
+    setting.samples >= than.samples;
+}
+
+//------------------------------------------------------------------------------
+double ExpectedCost(
+  const ShadowSetting& setting, const SceneNeeds& scene, const LightNeeds& light, bool lightsMove)
+{
+  const double millions = 1.0e-6 * scene.triangles;
+  const double samples = light.isSoft ? std::max(setting.samples, 1) : 1;
+  if (setting.technique == "depth-map")
+  {
+    const bool isSampled = setting.filter == "sample-lights" && light.isSoft;
+    const double lookup = setting.filter == "exact" ? 0.4
+      : setting.filter == "soft"                    ? 5.0
+      : isSampled                                   ? 0.4 * samples
+                                                    : 0.2;
+    // A map costs its texels, beside the window's pixels, and its casters.
+    const double texels = static_cast<double>(setting.resolution) * setting.resolution *
+      setting.cascades / std::max(scene.pixels, 1.0e5);
+    const double drawn = isSampled ? samples * (0.3 + millions) : 0.5 + 0.03 * texels + millions;
+    return lookup + 0.1 * (setting.cascades - 1) + (lightsMove ? drawn : 0.003 * texels);
+  }
+  return setting.technique == "planar"
+    ? samples * (setting.resolution == 0 || lightsMove ? 0.5 + millions : 0.2)
+    : setting.technique == "stencil-volume"
+    ? 0.5 + samples * (0.6 + 2.0 * millions)
+    : 1.2 + 0.3 * samples + (lightsMove ? 2.0 : 0.5) * millions;
+}
+
+}
