@@ -177,7 +177,7 @@ class TestShadowView(unittest.TestCase):
                 with self.subTest(translucent_casters=name):
                     VIEW.TranslucentCasters = name
                     got = near(screenshot(VIEW, f"translucent-{name}"), *SHADOW)
-                    print(f"{name}: got {got.min()} to {got.max()}, expected {share} of {before.max()}, tolerance 2")
+                    print(f"{name}: got {got.min()} to {got.max()}, expected {share} of {before.max()}")
                     self.assertLessEqual(abs(got - share * before).max(), 2)
         finally:
             display.Opacity = 1
