@@ -20,14 +20,14 @@
  *
  * @par Reference
  * Williams 1978 (depth maps); Reeves, Salesin and Cook: Rendering antialiased shadows with depth
- * maps, SIGGRAPH 1987 (percentage-closer filtering); Gerasimov: Omnidirectional shadow mapping, GPU
- * Gems 2004 (six faces of a cube); Isidoro: Shadow mapping, GDC 2006 (receiver
- * plane); Dou, Yan, Kerzner, Dai and Wyman: Adaptive depth bias for shadow maps, I3D 2014;
- * Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Donnelly and Lauritzen:
- * Variance shadow maps, I3D 2006; Annen, Mertens, Seidel, Flerackers and Kautz: Exponential shadow
- * maps, GI 2008; Heckbert and Herf: Simulating soft shadows with graphics hardware, CMU-CS-97-104,
- * 1997 (sample lights); Heidrich: High-quality shading and lighting for hardware-accelerated
- * rendering, 1999 (ramps of eight bits).
+ * maps, SIGGRAPH 1987 (percentage-closer filtering); Gerasimov: Omnidirectional shadow mapping,
+ * GPU Gems 2004 (cubes); Isidoro: Shadow mapping, GDC 2006 (receiver plane); Dou et al.: Adaptive
+ * depth bias for shadow maps, I3D 2014; Fernando: Percentage-closer soft shadows, SIGGRAPH 2005;
+ * Guennebaud, Barthe and Paulin: Real-time soft shadow mapping by backprojection, EGSR 2006;
+ * Kaplan and Meier 1958 (slabs); Donnelly and Lauritzen: Variance shadow maps, I3D 2006; Annen et
+ * al.: Exponential shadow maps, GI 2008; Heckbert and Herf: Simulating soft shadows with graphics
+ * hardware, CMU-CS-97-104, 1997 (sample lights); Heidrich: High-quality shading and lighting for
+ * hardware-accelerated rendering, 1999 (ramps of eight bits).
  *
  * @sa vtkShadowPass vtkRayCastShadowPass
  */
@@ -52,11 +52,11 @@ public:
    *   slack. Not with 8 depth bits.
    * - DISC: percentage-closer over a disc of FilterRadius texels, by FilterTaps taps, turned from
    *   pixel to pixel.
-   * - SOFT: percentage-closer soft shadows, for a light with a radius (Fernando 2005): as wide as
-   *   the similar triangles of the light's disc, what blocks it and the receiver ask for;
-   * FilterTaps taps to find what blocks, and as many to filter. A light without a radius is
-   * filtered as by PERCENTAGE_CLOSER. On the faces of a cube no kernel is wider than 1/16 of the
-   * resolution.
+   * - SOFT: soft shadows of a light with a radius: as wide as the similar triangles of its disc,
+   *   what blocks it and the receiver ask for (Fernando 2005), for blockers in four slabs of depth
+   * (Guennebaud et al. 2006; Kaplan and Meier 1958); FilterTaps taps to find them, and as many to
+   * filter. A light without a radius is filtered as by PERCENTAGE_CLOSER. On the faces of a cube no
+   * kernel is wider than 1/16 of the resolution.
    * - SAMPLE_LIGHTS: a light with a radius is the mean over LightSamples lights on its disc, each
    * with maps of its own (Heckbert and Herf 1997); one without as by PERCENTAGE_CLOSER.
    * - VARIANCE: a bound of visibility by the blurred map's mean and variance (Donnelly and

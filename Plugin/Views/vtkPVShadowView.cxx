@@ -66,6 +66,13 @@ void vtkPVShadowView::SetObjectType(const char* name)
 }
 
 //----------------------------------------------------------------------------
+void vtkPVShadowView::SetTranslucentCasting(int how)
+{
+  this->Shadows->SetTranslucentCasting(how);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
 void vtkPVShadowView::SetTexturePerCaster(bool each)
 {
   this->Shadows->GetShadowTexturePass()->SetTexturePerCaster(each);

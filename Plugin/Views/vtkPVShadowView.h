@@ -63,6 +63,11 @@ public:
   void SetObjectType(const char* name);
 
   /**
+   * How translucent sources cast: see vtkShadowPass::SetTranslucentCasting.
+   */
+  void SetTranslucentCasting(int how);
+
+  /**
    * A shadow texture for each prop that casts (default off): see
    * vtkShadowTexturePass::SetTexturePerCaster.
    */

@@ -188,7 +188,8 @@ def enable(
         the renderer has now.
     fade : 0 to 1 (0.1): the share of that distance over which they fade out before its end.
     translucent_casters : how translucent props cast: "none" (default), "opaque", "stochastic": by their
-        opacity, in a grain that wide filters smooth, or "transmittance": the same without grain, by "depth-map"; see vtkShadowPass::SetTranslucentCasting.
+        opacity, in a grain that wide filters smooth, or "transmittance": the same without grain, by
+        "depth-map"; see vtkShadowPass::SetTranslucentCasting.
     radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
         stencil-volume, ray-cast and the filters "soft" and "sample-lights" of depth-map soften by it. World
         units; for a directional light the tangent of its half-angle.

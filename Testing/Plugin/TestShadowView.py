@@ -29,6 +29,7 @@ class TestShadowView(unittest.TestCase):
         VIEW.ObjectDepths = 1
         VIEW.ObjectType = "prop"
         VIEW.TexturePerCaster = 0
+        VIEW.TranslucentCasters = "None"
         VIEW.UseLight = 0
         VIEW.UseFXAA = 0
         self.light = add_light(VIEW)
@@ -164,6 +165,22 @@ class TestShadowView(unittest.TestCase):
                 simple.Delete(both)
             for source in SOURCES:
                 simple.Show(source, VIEW)
+
+    def test_translucent_casters(self):
+        """A sphere of the opacity 0.5 is two surfaces: a quarter of the light is left behind it."""
+        display = simple.GetDisplayProperties(SOURCES[0], VIEW)
+        display.Opacity = 0.5
+        try:
+            VIEW.Technique = "depth-map"
+            before = near(self.unshadowed, *SHADOW)
+            for name, share in (("None", 1), ("Opaque", 0), ("Transmittance", 0.25)):
+                with self.subTest(translucent_casters=name):
+                    VIEW.TranslucentCasters = name
+                    got = near(screenshot(VIEW, f"translucent-{name}"), *SHADOW)
+                    print(f"{name}: got {got.min()} to {got.max()}, expected {share} of {before.max()}")
+                    self.assertLessEqual(abs(got - share * before).max(), 2)
+        finally:
+            display.Opacity = 1
 
     def test_texture_per_caster(self):
         """A sphere takes the shadow of another, between it and the light."""

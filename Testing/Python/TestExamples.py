@@ -24,8 +24,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     CASCADES_EXAMPLE,
     SOFT_EXAMPLE,
     IMAGE_EXAMPLE,
-) = sys.argv[1:13]
-FOLDER = pathlib.Path(sys.argv[13])
+    TRANSLUCENT_EXAMPLE,
+) = sys.argv[1:14]
+FOLDER = pathlib.Path(sys.argv[14])
 
 
 def read_png(path):
@@ -197,6 +198,17 @@ class TestExamples(unittest.TestCase):
         print(f"in shadow: got {share} %, expected 1 to 20; pixels lit through panes: got {warm}, expected 5000 or more")
         self.assertTrue(1 < share < 20)
         self.assertGreaterEqual(warm, 5000)
+
+    def test_translucent_casters(self):
+        """One pane halves the light, two leave a quarter; there is no grain between."""
+        file = FOLDER / "translucent_casters.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, TRANSLUCENT_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        half, quarter = (float(re.search(rf"{share}: ([\d.]+) %", done.stdout)[1]) for share in ("0.5", "0.25"))
+        print(f"half: got {half} %, expected 1 to 20; a quarter: got {quarter} %, expected 0.5 to 20")
+        self.assertTrue(1 < half < 20 and 0.5 < quarter < 20)
+        self.assertEqual(read_png(file).shape[:2], (480, 640))
 
 
 if __name__ == "__main__":
