@@ -46,15 +46,20 @@ bool HoldsLight(const vtkShadowScene::Piece& piece, const glm::dvec4& lightWC)
 //------------------------------------------------------------------------------
 struct vtkShadowHiddenFaces::Search
 {
+  // Triangles that are looked at as soon as asked for: it takes no longer than a frame or so.
+  static constexpr std::size_t MostAtOnce = 8192;
+
   explicit Search(vtkshadows::ShadowMesh<float> mesh)
-    : IsEmbedded(std::async(std::launch::async,
-        [this, mesh = std::move(mesh)] { return vtkshadows::IsEmbedded(mesh, this->Cancelled); }))
   {
+    const auto when =
+      mesh.triangles.size() > MostAtOnce ? std::launch::async : std::launch::deferred;
+    this->IsEmbedded = std::async(when,
+      [this, mesh = std::move(mesh)] { return vtkshadows::IsEmbedded(mesh, this->Cancelled); });
   }
   ~Search() { this->Cancelled = true; } // the future waits for its thread
   bool IsOver() const
   {
-    return this->IsEmbedded.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    return this->IsEmbedded.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
   }
 
   std::atomic<bool> Cancelled{ false };
