@@ -11,7 +11,6 @@
 #include <vtkShadowTechniquePass.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <vector>
 
@@ -24,9 +23,9 @@ constexpr int FewestVisits = 3;
 constexpr int MostVisits = 15;
 constexpr int MostFramesOfKind = 5;
 
-// Shares of the time of a setting: what a visit's timed frames shall take, and how much longer than
-// it the fewest visits may.
-constexpr double VisitShare = 0.125;
+// Shares of the time of a setting: what a visit shall take, about, and how much longer than that
+// time the fewest visits may.
+constexpr double VisitShare = 0.3;
 constexpr double FewestVisitsShare = 6.0;
 
 // To which a ratio is to be known: less than what a figure tells.
@@ -138,7 +137,7 @@ void BenchEntrant::TimeOnce(double still)
 
 void BenchEntrant::Visit(const TimingPlan& plan)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const WorkClock clock;
   const bool chooses = this->run.setting.technique == "auto";
   MovingStage motion(this->stage);
   const auto swing = [&motion]() { motion.SwingCamera(); };
@@ -174,8 +173,12 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   round.moving = TimeFramesOf(this->stage, 1, frames, circle);
   motion.RestLights();
   this->rounds.Add(round);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  this->visitSeconds += taken.count();
+  const double taken = clock.Seconds();
+  this->visitSeconds += taken;
+  if (this->rounds.Count() == 1)
+  {
+    this->firstVisitSeconds = taken;
+  }
 }
 
 bool BenchEntrant::IsTimed(const TimingPlan& plan) const
