@@ -97,7 +97,7 @@ double WorkClock::Seconds() const
 {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->begin;
   const double worked = static_cast<double>(std::clock() - this->processorBegin) / CLOCKS_PER_SEC;
-  return std::min(taken.count(), 2.0 * worked);
+  return std::min(taken.count(), worked);
 }
 
 void SettleChoice(Stage& stage, const std::function<void()>& move)

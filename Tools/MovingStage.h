@@ -51,8 +51,8 @@ private:
 // Of one frame, until it is done.
 double RenderMilliseconds(Stage& stage);
 
-// What work took, by the clock, but for what others took of the machine: at most twice the time of
-// the processors that it had.
+// What work took, by the clock; or, where that is less, the time of the processors that it had:
+// what others took of the machine is left out.
 class WorkClock
 {
 public:

@@ -19,7 +19,9 @@ namespace vtkshadows
 namespace
 {
 
-constexpr int FewestVisits = 3;
+// Fewest: where the ratios are steady, where they are not.
+constexpr int FewestSteadyVisits = 3;
+constexpr int FewestVisits = 5;
 constexpr int MostVisits = 15;
 constexpr int MostFramesOfKind = 5;
 
@@ -191,9 +193,10 @@ bool BenchEntrant::IsTimed(const TimingPlan& plan) const
   const double visit = this->visitSeconds / count;
   const int fewest = static_cast<int>(
     std::clamp(FewestVisitsShare * plan.seconds / visit, 1.0, double(FewestVisits)));
-  return count >= fewest &&
-    (count >= MostVisits || this->visitSeconds + visit > plan.seconds ||
-      this->rounds.AreSteady(SteadyShare));
+  const bool isSteady =
+    count >= std::min(fewest, FewestSteadyVisits) && this->rounds.AreSteady(SteadyShare);
+  const bool isSpent = count >= MostVisits || this->visitSeconds + visit > plan.seconds;
+  return isSteady || (count >= fewest && isSpent);
 }
 
 }
