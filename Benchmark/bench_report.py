@@ -14,7 +14,10 @@ class Report:
 
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
-            data = json.load(file)
+            try:
+                data = json.load(file)
+            except ValueError as error:
+                raise ValueError(f"{path}: is no JSON ({error}); give a bench.json of vtkshadows bench") from None
         for key in ("machine", "plan", "scenes", "rows", "fits"):
             if key not in data:
                 raise ValueError(f'{path}: has no "{key}"; give a bench.json of vtkshadows bench')

@@ -28,7 +28,13 @@ plt.rcParams.update({
 
 
 def plain(value, _=None):
-    return f"{value:.10f}".rstrip("0").rstrip(".") if 1e-5 <= value < 1e5 else f"$10^{{{round(math.log10(value))}}}$"
+    """0.001, 20000, 5×10⁵."""
+    if 1e-5 < value < 99999:
+        return f"{value:.10f}".rstrip("0").rstrip(".")
+    decade = math.floor(math.log10(value) + 1e-9)
+    lead = round(value / 10**decade, 2)
+    times = "" if lead == 1 else f"{lead:g}\\times"
+    return f"${times}10^{{{decade}}}$"
 
 
 def log_axis(axis, values, margin=1.3):
@@ -106,7 +112,7 @@ def costs(report):
         return None
     columns = min(2, len(axes_there))
     lines = math.ceil(len(axes_there) / columns)
-    figure, grid = plt.subplots(lines, columns, figsize=(6.0 * columns, 4.6 * lines), squeeze=False)
+    figure, grid = plt.subplots(lines, columns, figsize=(7.4 * columns, 3.6 * lines), squeeze=False)
     for axes in grid.flat[len(axes_there):]:
         axes.axis("off")
     for axes, axis in zip(grid.flat, axes_there):
@@ -125,7 +131,7 @@ def costs(report):
             label = fit["setting"].removeprefix("soft/").replace(PEER, "VTK's own")
             if fit["exponent"] is not None:
                 error = "" if fit["exponent_error"] is None else f" ± {fit['exponent_error']:.2f}"
-                label += f": exponent {fit['exponent']:.2f}{error}"
+                label += f":\nexponent {fit['exponent']:.2f}{error}"
                 axes.plot([x[0], x[-1]], [fit["factor_ms"] * v ** fit["exponent"] for v in (x[0], x[-1])], color=color,
                           linestyle="--" if exact else "-", linewidth=1.2)  # fmt: skip
             axes.scatter(x, y, color=color, marker=marker, facecolors="none" if exact else color, s=36, label=label, zorder=3)
@@ -133,7 +139,7 @@ def costs(report):
         if xs:
             log_axis(axes.xaxis, xs)
             log_axis(axes.yaxis, ys, 1.6)
-            axes.legend(fontsize=7.5, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, frameon=False)
+            axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5), labelspacing=1.1, frameon=False)
     figure.supylabel("milliseconds over the frame without shadows; the light moving")
     return figure
 

@@ -1,5 +1,8 @@
 """The tables of Docs/Trade.md, in Markdown (see trade_page.py)."""
 
+import pathlib
+import re
+
 from bench_report import KINDS, PEER, cheapest, is_choice, is_right, worst
 
 BUDGETS = (("no gross error", None), ("and 0.1 % mismatch", 0.1), ("and 0.01 %", 0.01))
@@ -117,6 +120,8 @@ def tables(report):
 
 def machine(report):
     told = report.machine
+    # Of files the names alone: where they lie says nothing to a reader.
+    plan = re.sub(r"\b(statue|volume|input) ([^,]*)", lambda each: f"{each[1]} {pathlib.PurePath(each[2]).name}", report.plan)
     failed = f" Failed, and left out: {', '.join(report.failures)}." if report.failures else ""
     return (f"Measured with vtkshadows {told['vtkshadows']} on VTK {told['vtk']}, {told['renderer']}, {told['cores']} cores; "
-            f"{report.plan}; {len(report.rows) + len(report.sweeps)} runs.{failed}")  # fmt: skip
+            f"{plan}; {len(report.rows) + len(report.sweeps)} runs.{failed}")  # fmt: skip

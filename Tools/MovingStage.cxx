@@ -6,7 +6,7 @@
 #include <vtkRenderer.h>
 #include <vtkShadowPass.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 
 namespace vtkshadows
@@ -93,6 +93,13 @@ double RenderMilliseconds(Stage& stage)
   stage.Window().Render();
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
   return taken.count();
+}
+
+double WorkClock::Seconds() const
+{
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->begin;
+  const double worked = static_cast<double>(std::clock() - this->processorBegin) / CLOCKS_PER_SEC;
+  return std::min(taken.count(), worked);
 }
 
 void SettleChoice(Stage& stage, const std::function<void()>& move)

@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <vector>
 
@@ -48,6 +50,18 @@ private:
 
 // Of one frame, until it is done.
 double RenderMilliseconds(Stage& stage);
+
+// What work took, by the clock; or, where that is less, the time of the processors that it had:
+// what others took of the machine is left out.
+class WorkClock
+{
+public:
+  double Seconds() const;
+
+private:
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::clock_t processorBegin = std::clock();
+};
 
 // Draws frames until "auto" has chosen; `move` comes before each.
 void SettleChoice(Stage& stage, const std::function<void()>& move);

@@ -86,6 +86,24 @@ status, out, err = command("bench", "-o", "cut", "--resume", *SCENES, *SETTINGS,
 print("     " + err.strip())
 check("status with another detail", (status, "measured otherwise" in err), (1, True))
 
+# A run in which the bench ended twice is not tried again; once may have been its user.
+for times, expected in ((1, None), (2, "the bench ended in it twice; measure it alone, in another folder")):
+    os.makedirs(f"ended{times}")
+    begin = json.dumps({"begin": "still-life|none"}) + "\n"
+    with open(f"ended{times}/journal.jsonl", "w") as file:
+        file.write("\n".join(whole[:2]) + "\n" + begin + (json.dumps({"resumed": True}) + "\n" + begin) * (times - 1))
+    succeed("bench", "-o", f"ended{times}", "--resume", "--scenes", "still-life", "--settings", "none", *SMALL)
+    check(f"ended {times} times in it", rows_of(f"ended{times}")["still-life|none"]["failure"], expected)
+
+# A scene that cannot be made fails its own runs alone.
+with open("broken.off", "w") as file:
+    file.write("OFF\n3 1 0\n0 0")
+succeed("bench", "-o", "broken", "--scenes", "statue,fence", "--settings", "planar/textures", "--statue", "broken.off", *SMALL)
+broken = rows_of("broken")
+print("     " + str(broken["statue|planar/textures-2048"]["failure"]))
+check("the statue's failure names the scene", "statue" in (broken["statue|planar/textures-2048"]["failure"] or ""), True)
+check("the fence is measured", broken["fence|planar/textures-2048"]["failure"], None)
+
 # --- The user's own meshes, and sweeps ---
 write_tetrahedron("mesh.off")
 succeed("bench", "mesh.off", "-o", "own", "--settings", "depth-map/percentage-closer/512", *SMALL)
@@ -124,6 +142,20 @@ def page_of(path):
         capture_output=True, text=True, timeout=120, check=False)  # fmt: skip
     return run.stdout
 
+
+# A table of extremes as the journal of a bench has it; measuring them is the label extremes' own test.
+extreme = {"case": "scale by points 1e-12", "kind": "scale by points", "value": "1e-12", "looks_plain": True, "heavy": False,
+           "beyond": False, "technique": "planar", "drawn": True, "frame_unlike_percent": 0, "truth_alike_percent": 100,
+           "alike_percent": 98.5, "receivers": 100, "shadowed": 5, "uncertain": 0, "mismatch": 1, "gross": 0,
+           "mismatch_percent": 1, "opengl_error": 0, "messages": []}  # fmt: skip
+shutil.copytree("own", "extremes")
+with open("extremes/journal.jsonl", "a") as file:
+    file.write(json.dumps({"extreme": extreme["case"], "figures": [extreme]}) + "\n")
+succeed("bench", "mesh.off", "-o", "extremes", "--settings", "depth-map/percentage-closer/512", "--resume", *SMALL)
+page = page_of("extremes/bench.html")
+check("a cell of the extremes is in the page, coloured",
+      re.findall(r'<td[^>]*background: rgb\(243, 179, 160\)[^>]*>([^<]*)</td>', page), ["98.500 / 1.000 / 0"])  # fmt: skip
+check("script errors of that page", 'data-errors="0"' in page and 'data-done="1"' in page, True)
 
 for path, plots in (("out/bench.html", 4 if with_errors else 0), ("sweeps/bench.html", (1 if with_errors else 0) + 4)):
     page = page_of(path)

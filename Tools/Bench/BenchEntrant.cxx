@@ -11,7 +11,6 @@
 #include <vtkShadowTechniquePass.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <vector>
 
@@ -20,13 +19,15 @@ namespace vtkshadows
 namespace
 {
 
-constexpr int FewestVisits = 3;
+// Fewest: where the ratios are steady, where they are not.
+constexpr int FewestSteadyVisits = 3;
+constexpr int FewestVisits = 5;
 constexpr int MostVisits = 15;
 constexpr int MostFramesOfKind = 5;
 
-// Shares of the time of a setting: what a visit's timed frames shall take, and how much longer than
-// it the fewest visits may.
-constexpr double VisitShare = 0.125;
+// Shares of the time of a setting: what a visit shall take, about, and how much longer than that
+// time the fewest visits may.
+constexpr double VisitShare = 0.3;
 constexpr double FewestVisitsShare = 6.0;
 
 // To which a ratio is to be known: less than what a figure tells.
@@ -138,7 +139,7 @@ void BenchEntrant::TimeOnce(double still)
 
 void BenchEntrant::Visit(const TimingPlan& plan)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const WorkClock clock;
   const bool chooses = this->run.setting.technique == "auto";
   MovingStage motion(this->stage);
   const auto swing = [&motion]() { motion.SwingCamera(); };
@@ -174,8 +175,12 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   round.moving = TimeFramesOf(this->stage, 1, frames, circle);
   motion.RestLights();
   this->rounds.Add(round);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  this->visitSeconds += taken.count();
+  const double taken = clock.Seconds();
+  this->visitSeconds += taken;
+  if (this->rounds.Count() == 1)
+  {
+    this->firstVisitSeconds = taken;
+  }
 }
 
 bool BenchEntrant::IsTimed(const TimingPlan& plan) const
@@ -188,9 +193,10 @@ bool BenchEntrant::IsTimed(const TimingPlan& plan) const
   const double visit = this->visitSeconds / count;
   const int fewest = static_cast<int>(
     std::clamp(FewestVisitsShare * plan.seconds / visit, 1.0, double(FewestVisits)));
-  return count >= fewest &&
-    (count >= MostVisits || this->visitSeconds + visit > plan.seconds ||
-      this->rounds.AreSteady(SteadyShare));
+  const bool isSteady =
+    count >= std::min(fewest, FewestSteadyVisits) && this->rounds.AreSteady(SteadyShare);
+  const bool isSpent = count >= MostVisits || this->visitSeconds + visit > plan.seconds;
+  return isSteady || (count >= fewest && isSpent);
 }
 
 }

@@ -66,7 +66,8 @@ private:
   std::array<vtkSmartPointer<vtkShadowPass>, 2> passes; // the second of "auto" alone
   vtkSmartPointer<vtkRenderPass> peer;
   TimingRounds rounds;
-  double visitSeconds = 0.0;
+  double visitSeconds = 0.0;      // as WorkClock counts them, as the following
+  double firstVisitSeconds = 0.0; // which has a frame of each kind, and those that warm up
   bool isTimedOnce = false;
 };
 

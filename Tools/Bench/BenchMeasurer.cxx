@@ -288,22 +288,23 @@ void BenchMeasurer::Prepare(BenchEntrant& entrant)
   row["errors"] = withErrors ? this->ErrorsOf(entrant) : BenchJson::array();
 
   entrant.Show();
-  double frame = 0.0;
+  double frame = 0.0, work = 0.0;
   {
     MovingStage motion(this->stage);
     motion.SwingCamera();
+    const WorkClock clock;
     frame = RenderMilliseconds(this->stage);
+    work = clock.Seconds();
   }
   const TimingPlan plan = BenchTiming(this->options);
-  const bool isSlow =
-    plan.rounds == 0 && run.setting.technique != "auto" && 0.001 * frame > plan.seconds;
+  const bool isSlow = plan.rounds == 0 && run.setting.technique != "auto" && work > plan.seconds;
   if (isSlow)
   {
     entrant.TimeOnce(frame);
   }
   row["stages"] = entrant.Peer() || isSlow
     ? BenchJson::array()
-    : JsonOf(TimeStages(this->stage, 0.001 * frame > StagesShare * plan.seconds ? 1 : 3));
+    : JsonOf(TimeStages(this->stage, work > StagesShare * plan.seconds ? 1 : 3));
   row["texture_bytes"] = nullptr;
   row["caster_bytes"] = nullptr;
   if (auto* technique = this->stage.Shadows()->GetTechniquePass(run.setting.technique))

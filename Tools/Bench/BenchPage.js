@@ -206,6 +206,77 @@ function drawSweeps() {
   }
 }
 
+// --- The extremes ---------------------------------------------------------------------------------
+
+const MostGross = 1e-3; // percent of the receivers' pixels
+
+// How much a technique keeps of its picture where the scene should look the same; else how much of
+// what it shows is grossly wrong.
+function gradeOf(figures) {
+  if (!figures.drawn || figures.opengl_error) return "fails";
+  if (figures.looks_plain) {
+    return figures.alike_percent >= 99.99 ? "keeps" : figures.alike_percent >= 99 ? "drifts" : "fails";
+  }
+  const gross = figures.receivers ? 100 * figures.gross / figures.receivers : 0;
+  return gross <= MostGross ? "keeps" : gross <= 1 ? "drifts" : "fails";
+}
+
+const gradeColors = { keeps: "", drifts: "#fbe3a6", fails: "#f3b3a0" };
+
+function extremeCell(figures) {
+  if (!figures.drawn) return "none";
+  if (figures.opengl_error) return "OpenGL error";
+  const alike = figures.looks_plain ? `${figures.alike_percent.toFixed(3)} / ` : "";
+  return figures.receivers ? `${alike}${figures.mismatch_percent.toFixed(3)} / ${figures.gross}` : alike ? alike.slice(0, -3) : "drawn";
+}
+
+function drawExtremes() {
+  const all = data.extremes || [];
+  if (!all.length) return;
+  const place = document.getElementById("extremes");
+  element("h2", place, "The extremes");
+  element("p", place, "One still life under a spotlight, and what can be done to it that tries the numbers that shadows are made " +
+    "of. A cell has the share of pixels that are alike in the technique's own picture of the plain still life, where the case looks " +
+    "the same, then mismatch in percent and gross pixels against the truth of the case. planar and shadow-texture leave out the " +
+    "self-shadows of the still life, which is gross error in each case. Cases in grey are beyond what floats, VTK or a " +
+    "technique can; where VTK's own frame without shadows is unlike by more than 0.01 %, VTK fails first.");
+  const key = element("p", place);
+  for (const [grade, text] of [["drifts", "alike below 99.99 %, or some gross error"],
+    ["fails", "alike below 99 %, more than 1 % gross, or not drawn"]]) {
+    element("span", key, undefined, { className: "key" }).style.background = gradeColors[grade];
+    element("span", key, text + "\u2003");
+  }
+  const techniques = [...new Set(all.map(each => each.technique))];
+  for (const looksPlain of [true, false]) {
+    const some = all.filter(each => each.looks_plain === looksPlain);
+    if (!some.length) continue;
+    element("h3", place, looksPlain ? "Cases that look as the plain still life does" : "Cases that look otherwise");
+    const table = element("table", element("div", place, undefined, { className: "wide" }), undefined, { className: "extremes" });
+    const head = element("tr", element("thead", table));
+    ["case", ...(looksPlain ? ["VTK's frame, unlike %"] : []), ...techniques].forEach(text => element("th", head, text));
+    const body = element("tbody", table);
+    for (const name of new Set(some.map(each => each.case))) {
+      const own = some.filter(each => each.case === name);
+      const line = element("tr", body, undefined, { className: own[0].beyond ? "beyond" : "" });
+      element("td", line, name);
+      if (looksPlain) {
+        const unlike = own[0].frame_unlike_percent;
+        const cell = element("td", line, unlike === null ? "" : unlike.toFixed(3));
+        if (unlike > 0.01) cell.style.background = gradeColors.drifts;
+      }
+      for (const technique of techniques) {
+        const figures = own.find(each => each.technique === technique);
+        const cell = element("td", line, figures ? extremeCell(figures) : "");
+        if (figures) {
+          cell.style.background = gradeColors[gradeOf(figures)];
+          cell.title = figures.messages.join("\n");
+        }
+      }
+    }
+  }
+  place.dataset.cases = String(new Set(all.map(each => each.case)).size);
+}
+
 // --- Worst errors, and the table ------------------------------------------------------------------
 
 function drawWorst() {
@@ -258,6 +329,7 @@ document.getElementById("machine").textContent = `vtkshadows ${data.machine.vtks
 drawScenes();
 drawSweeps();
 drawWorst();
+drawExtremes();
 drawTable();
 for (const id of ["time", "error"]) document.getElementById(id).onchange = drawScenes;
 document.body.dataset.done = "1";

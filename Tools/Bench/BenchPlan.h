@@ -16,8 +16,8 @@ namespace vtkshadows
 extern const char* const MeshesScene;
 
 // How often the frames of a setting are timed. `rounds` 0: in short visits until the ratios are
-// steady or `seconds` are spent, 3 to 15, and fewer of what would take many times as long; what
-// takes longer than `seconds` for a frame, by a single one of each kind.
+// steady or `seconds` are spent, 3 to 15, 5 unless they are steady, and fewer of what would take
+// many times as long; what takes longer than `seconds` for a frame, by a single one of each kind.
 struct TimingPlan
 {
   int rounds = 0;
