@@ -12,6 +12,9 @@ namespace
 
 constexpr int ChosenCascades = 4;
 
+// Times the texels of a map with exact lookups from which on a plain one is not tried.
+constexpr double HugeRatio = 16.0;
+
 // The order of filters by their work at a pixel; those that are not here are not compared.
 int RankOf(const std::string& filter)
 {
@@ -107,8 +110,11 @@ bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than)
   }
   const bool sameFilter = setting.filter == than.filter ||
     (RankOf(than.filter) >= 0 && RankOf(than.filter) <= RankOf(setting.filter));
-  return sameFilter && texels(setting) >= texels(than) && setting.cascades >= than.cascades &&
-    setting.samples >= than.samples;
+  // What an exact lookup costs more does not pay for a map so much larger.
+  const bool isHuge = RankOf(setting.filter) >= 0 && RankOf(than.filter) >= 0 &&
+    texels(setting) > HugeRatio * texels(than);
+  return (sameFilter || isHuge) && texels(setting) >= texels(than) &&
+    setting.cascades >= than.cascades && setting.samples >= than.samples;
 }
 
 //------------------------------------------------------------------------------

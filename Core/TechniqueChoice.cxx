@@ -98,6 +98,11 @@ Standing StandingOf(const ShadowSetting& setting, const SceneNeeds& scene, const
       ? Standing{ Standing::Unfit, "the light has a radius" }
       : measured;
   }
+  const bool byRays = name == "ray-cast";
+  if (byRays && !scene.hasRays)
+  {
+    return { Standing::Unfit, "this build has none" };
+  }
   const bool isTextured = name == "planar" && setting.resolution > 0;
   if (scene.receivesTranslucent && !isTextured)
   {
@@ -107,11 +112,9 @@ Standing StandingOf(const ShadowSetting& setting, const SceneNeeds& scene, const
   {
     return { Standing::Unfit, "not all that receives is flat" };
   }
-  const bool byRays = name == "ray-cast";
-  if (byRays && (!scene.hasRays || scene.hasStandIns))
+  if (byRays && scene.hasStandIns)
   {
-    return { Standing::Unfit,
-      scene.hasRays ? "stand-ins cast, which rays do not know" : "this build has none" };
+    return { Standing::Unfit, "stand-ins cast, which rays do not know" };
   }
   const std::string beyond =
     name == "planar" ? "" : BeyondSurfaces(scene, byRays ? scene.notHitByRays : scene.notTriangles);

@@ -101,7 +101,9 @@ public:
   /**
    * What a light of "auto" may cost. MaximumError: percent of the receiver pixels that may be wrong
    * (vtkShadowErrorMeasure's mismatch; of a light with a radius 100 times the mean absolute
-   * difference), to 100; 0 (default): no gross error, which is at most one pixel in 100 000.
+   * difference), to 100; 0 (default): no gross error, which is at most one pixel in 100 000, and
+   * of a light with a radius a mean difference of at most 1 % of all pixels and 4 % of those in the
+   * penumbra.
    * MaximumFrameTime: milliseconds that a frame may take, from the lights' being gathered to the
    * last prop drawn; 0 (default): any. With an error, or neither, a light has the fastest that
    * keeps to it; with a time alone the most accurate that does; with both the error comes first,
@@ -109,13 +111,15 @@ public:
    * errors and change nothing.
    *
    * What is right by construction in a scene (planar shadows where all that receives is flat,
-   * shadow volumes where all that casts is triangles, rays) is taken for right. The error of depth
-   * maps is measured beside the frame, at up to a million rays: at the first frame, and again
-   * once view, lights or casters are clearly others. In the first frames what may be the fastest is
-   * drawn a few times each; all of it keeps to the budget of error. In a frame where lights or
-   * casters move another choice may hold. Of the depth map's settings, resolution, cascades and
-   * filter are chosen with it, as far as they are at their defaults and no other light names
-   * "depth-map"; they are put back once no light is of "auto".
+   * shadow volumes where all that casts is triangles, rays) is taken for right for a light without
+   * a radius. The error of depth maps, of textures on planes and of sample lights is measured beside
+   * the frame, at up to a million rays, with 128 of them a pixel for a light with a radius: at the
+   * first frame, and again once view, lights or casters are clearly others. In the first frames what
+   * may be the fastest is drawn a few times each; all of it keeps to the budget of error. In a frame
+   * where lights or casters move another choice may hold. Chosen with a technique are the depth
+   * map's resolution, cascades, filter and LightSamples, planar's LightSamples and PlaneTextures,
+   * and the LightSamples of stencil-volume and ray-cast, as far as they are at their defaults and no
+   * other light names the technique; they are put back once no light is of "auto".
    */
   void SetMaximumError(double percent);
   double GetMaximumError() const;

@@ -108,6 +108,7 @@ TEST(ShadowCandidates, WhatNeedNotBeTried)
   // Drawn with less, looked up with more: time tells.
   EXPECT_FALSE(IsNoFaster(Map(512, "exact"), Map(1024)));
   EXPECT_FALSE(IsNoFaster(Map(1024), Map(512, "exact")));
+  EXPECT_TRUE(IsNoFaster(Map(4096), Map(512, "exact")));
   EXPECT_TRUE(IsNoFaster(Map(1024, "percentage-closer", 4), Map(2048)));
   EXPECT_FALSE(IsNoFaster(Map(2048), Map(1024, "soft")));
   EXPECT_TRUE(IsNoFaster(Sampled("ray-cast", 16), Sampled("ray-cast", 8)));

@@ -96,6 +96,8 @@ TEST(TechniqueChoice, WhatASceneAsks)
   noRays.hasRays = false;
   EXPECT_EQ(KindOf(Named("ray-cast"), noRays), Standing::Unfit);
   EXPECT_EQ(KindOf(Map(1024), noRays), Standing::Assumed);
+  noRays.receivesTranslucent = true;
+  EXPECT_EQ(vtkshadows::StandingOf(Named("ray-cast"), noRays, {}).why, "this build has none");
 
   EXPECT_EQ(KindOf(Map(2048), plain, true), Standing::Unfit);
   EXPECT_EQ(KindOf(Map(2048, "exact"), plain, true), Standing::Unfit);

@@ -228,7 +228,9 @@ TEST_F(Auto, KindsOfCasters)
   AddActor(this->Renderer, line);
   this->Settle();
   this->ExpectChosen(this->Sun, { "depth-map" },
-    { "not measured", "lines and points cast", "ray-cast: lines and points cast" });
+    { "not measured", "stencil-volume: lines and points cast",
+      this->Shadows->GetRayCastShadowPass() ? "ray-cast: lines and points cast"
+                                            : "ray-cast: this build has none" });
 }
 
 //------------------------------------------------------------------------------
@@ -285,6 +287,23 @@ TEST_F(Auto, SoftLights)
         filter == vtkDepthShadowMapPass::SOFT || filter == vtkDepthShadowMapPass::SAMPLE_LIGHTS);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Where no truth is known, as without Embree, no fewer samples are taken than a technique has.
+TEST_F(Auto, SoftLightsWithoutTruth)
+{
+  this->Resize(100, 75);
+  this->MakeStillLife();
+  vtkNew<vtkSphereSource> coarse;
+  coarse->SetCenter(0.0, 0.0, 1.2);
+  coarse->SetRadius(0.8);
+  coarse->Update();
+  vtkShadowPass::SetStandIn(this->Ball, coarse->GetOutput());
+  this->Shadows->SetLightRadius(this->Sun, 0.1);
+  this->Settle();
+  this->ExpectChosen(this->Sun, { "stencil-volume" }, { "32 samples", "each sample light" });
+  EXPECT_EQ(this->Shadows->GetStencilShadowVolumePass()->GetLightSamples(), 32);
 }
 
 //------------------------------------------------------------------------------

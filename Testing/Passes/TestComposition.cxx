@@ -365,7 +365,7 @@ TEST_F(Composition, TechniquePassAlone)
   this->Render();
   Check("maps built by another frame", static_cast<double>(map->GetNumberOfMapBuilds()), 1.0);
   // Not by its class, which a build without Embree has only the header of.
-  if (auto* known = this->Shadows->GetRayCastShadowPass())
+  if (vtkShadowTechniquePass* known = this->Shadows->GetTechniquePass("ray-cast"))
   {
     auto rays = vtk::TakeSmartPointer(known->NewInstance());
     this->Renderer->SetPass(rays);
