@@ -21,16 +21,14 @@ using Index = std::uint32_t;
 
 // How far a lamp may be from a piece's triangles and yet lie on them, by what points are rounded
 // by; negative if it is not within the piece's bounds and could lie on none.
-template <typename Real>
-double TouchOf(const MeshPiece& piece, const glm::dvec4& light)
+double TouchOf(const MeshPiece& piece, const glm::dvec4& light, double rounding)
 {
   if (light.w == 0.0)
   {
     return -1.0;
   }
   const glm::dvec3 largest = glm::max(glm::abs(piece.minimum), glm::abs(piece.maximum));
-  const double touch =
-    4.0 * std::numeric_limits<Real>::epsilon() * std::max({ largest.x, largest.y, largest.z });
+  const double touch = rounding * std::max({ largest.x, largest.y, largest.z });
   const glm::dvec3 position = glm::dvec3(light) / light.w;
   const bool isWithin = glm::all(glm::greaterThanEqual(position, piece.minimum - touch)) &&
     glm::all(glm::lessThanEqual(position, piece.maximum + touch));
@@ -187,15 +185,18 @@ std::size_t SoupListOf(CastSign sign, bool threeBorders)
 //------------------------------------------------------------------------------
 template <typename Real>
 void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, CastingFaces which,
-  std::vector<CastSign>& signs)
+  std::vector<CastSign>& signs, TouchedFaces touched)
 {
   signs.resize(mesh.NumberOfTriangles());
   std::vector<SignRule> rules;
   std::vector<double> touches;
   for (const MeshPiece& piece : mesh.pieces)
   {
-    touches.push_back(TouchOf<Real>(piece, light));
-    rules.push_back(RuleOf(piece, touches.back() >= 0.0, which));
+    const double rounding =
+      touched == TouchedFaces::CastNot ? 4.0 * std::numeric_limits<Real>::epsilon() : 0.0;
+    const double touch = TouchOf(piece, light, rounding);
+    rules.push_back(RuleOf(piece, touch >= 0.0, which));
+    touches.push_back(touched == TouchedFaces::CastNot ? touch : -1.0);
   }
   ForEachBlock(signs.size(),
     [&](std::size_t, std::size_t first, std::size_t last)
@@ -384,9 +385,9 @@ int CountCrossed(const ShadowMesh<Real>& mesh, const std::vector<CastSign>& sign
 }
 
 template void FaceTriangles(const ShadowMesh<float>& mesh, const glm::dvec4& light,
-  CastingFaces which, std::vector<CastSign>& signs);
+  CastingFaces which, std::vector<CastSign>& signs, TouchedFaces touched);
 template void FaceTriangles(const ShadowMesh<double>& mesh, const glm::dvec4& light,
-  CastingFaces which, std::vector<CastSign>& signs);
+  CastingFaces which, std::vector<CastSign>& signs, TouchedFaces touched);
 template void FindSilhouette(const ShadowMesh<float>& mesh, const std::vector<CastSign>& signs,
   std::vector<SilhouetteEdge>& silhouette);
 template void FindSilhouette(const ShadowMesh<double>& mesh, const std::vector<CastSign>& signs,

@@ -32,13 +32,19 @@ enum class CastingFaces
          // halves the work; of the rest, all
 };
 
+// What a lamp lies on, to the rounding of the points: rounding alone tells on which side of it the
+// lamp is.
+enum class TouchedFaces
+{
+  Cast,    // as all do
+  CastNot, // as for rays that begin at the lamp
+};
+
 // One sign a triangle, each decided once, in double, whatever Real is. Edge-on triangles (and those
-// without an area) count as turned away. One that a lamp lies on, to the rounding of the points,
-// casts nothing: the lamp's rays begin there, and rounding alone would tell on which side. `signs`
-// is resized.
+// without an area) count as turned away. `signs` is resized.
 template <typename Real>
 void FaceTriangles(const ShadowMesh<Real>& mesh, const glm::dvec4& light, CastingFaces which,
-  std::vector<CastSign>& signs);
+  std::vector<CastSign>& signs, TouchedFaces touched = TouchedFaces::Cast);
 
 // A silhouette edge. Seen from the light, the shadow lies to the left of from -> to.
 struct SilhouetteEdge

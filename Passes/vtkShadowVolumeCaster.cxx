@@ -148,7 +148,7 @@ const vtkShadowVolumeCaster::Volume& vtkShadowVolumeCaster::UpdateVolume(
     return volume;
   }
   std::vector<vtkshadows::CastSign> signs;
-  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, signs);
+  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, signs, vtkshadows::TouchedFaces::CastNot);
   const vtkshadows::VolumeEmitter<float> emitter(this->Mesh, signs, oneImage);
   volume.LightTC = lightTC;
   volume.OneImage = oneImage;
@@ -198,7 +198,8 @@ void vtkShadowVolumeCaster::FindSilhouette(const Volume& volume, std::vector<std
 {
   std::vector<vtkshadows::CastSign> signs;
   std::vector<vtkshadows::SilhouetteEdge> edges;
-  vtkshadows::FaceTriangles(this->Mesh, volume.LightTC, volume.Faces, signs);
+  vtkshadows::FaceTriangles(
+    this->Mesh, volume.LightTC, volume.Faces, signs, vtkshadows::TouchedFaces::CastNot);
   vtkshadows::FindSilhouette(this->Mesh, signs, edges);
   for (const vtkshadows::SilhouetteEdge& edge : edges)
   {
@@ -215,7 +216,7 @@ int vtkShadowVolumeCaster::CountAtInfinity(
   std::vector<vtkshadows::CastSign> signs;
   const glm::dvec4 lightTC = this->ToCaster(lightWC);
   const glm::dvec3 directionTC(glm::inverse(this->WorldFromCaster) * glm::dvec4(directionWC, 0.0));
-  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, signs);
+  vtkshadows::FaceTriangles(this->Mesh, lightTC, faces, signs, vtkshadows::TouchedFaces::CastNot);
   return vtkshadows::CountCrossed(this->Mesh, signs, lightTC, directionTC);
 }
 
