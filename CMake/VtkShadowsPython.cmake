@@ -25,7 +25,15 @@ vtk_module_wrap_python(
 
 # The package's own files lie beside the wrapped modules, in the build tree as where it is installed.
 set(package_outputs)
-foreach (file IN ITEMS __init__.py py.typed)
+foreach (file IN ITEMS
+    __init__.py
+    _checks.py
+    _errors.py
+    _find.py
+    _floors.py
+    _images.py
+    _settings.py
+    py.typed)
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/Python/vtkshadows/${file}")
   set(output "${VTKSHADOWS_PYTHONPATH}/vtkshadows/${file}")
   add_custom_command(

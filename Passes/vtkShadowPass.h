@@ -148,7 +148,7 @@ public:
 
   ///@{
   /**
-   * Leave out the faces of closed, opaque actors that are turned away from the eye (default on): a
+   * Leave out the faces of closed, opaque actors that are turned away from the eye (default off): a
    * frame needs less time. The picture stays, but for single pixels on silhouettes where rounding
    * had a far face in front. VTK's back-face culling does it, of actors that have none set, whose
    * surface is proven not to pass through itself and lies beyond the near plane. The proof is made

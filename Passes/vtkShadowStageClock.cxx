@@ -75,3 +75,11 @@ void vtkShadowStageClock::Stop()
   this->Timer.reset();
   this->Running = -1;
 }
+
+//------------------------------------------------------------------------------
+const vtkShadowStageClock::Stage* vtkShadowStageClock::Find(const std::string& name) const
+{
+  const auto found = std::find_if(this->Stages.begin(), this->Stages.end(),
+    [&](const Stage& stage) { return stage.Name == name; });
+  return found != this->Stages.end() ? &*found : nullptr;
+}

@@ -33,6 +33,7 @@ public:
     double GPUSeconds = -1.0; // below 0: the driver does not tell
   };
   const std::vector<Stage>& GetStages() const { return this->Stages; }
+  const Stage* Find(const std::string& name) const; // nullptr: there was none
 
 private:
   using Clock = std::chrono::steady_clock;

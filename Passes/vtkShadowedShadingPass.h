@@ -218,7 +218,7 @@ private:
   std::unique_ptr<vtkShadowCatchers> Catchers;
   std::unique_ptr<vtkShadowLightFalloffs> Falloffs;
   std::unique_ptr<vtkShadowEyeFaces> EyeFaces;
-  bool CullHiddenFaces = true;
+  bool CullHiddenFaces = false;
   std::string FalloffFault; // as it was last told
   bool DepthClamped = false;
 };

@@ -26,10 +26,7 @@ The classes underneath are in vtkshadows.vtkShadowsPasses (vtkShadowPass is what
 Shadows as geometry, without rendering: vtkShadowSilhouetteFilter, vtkShadowVolumeFilter and
 vtkPlanarShadowFilter.
 """
-import operator
 import os
-import re
-import sys
 import warnings
 from dataclasses import dataclass, field
 from typing import Any, List, Optional, Union
@@ -39,29 +36,20 @@ import numpy
 # Imported for what they register: the classes that draw, and the contexts they draw in.
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
-    vtkCamera,
     vtkLight,
     vtkProp,
-    vtkRenderer,
     vtkRenderPass,
-    vtkRenderWindow,
     vtkTexture,
     vtkWindowToImageFilter,
 )
 
-from .vtkShadowsFilters import (
-    vtkPlanarShadowFilter,
-    vtkShadowSilhouetteFilter,
-    vtkShadowVolumeFilter,
-)
+from . import _checks, _errors, _find, _floors, _images, _settings
+from .vtkShadowsFilters import vtkPlanarShadowFilter, vtkShadowSilhouetteFilter, vtkShadowVolumeFilter
 from .vtkShadowsPasses import (
     vtkDepthShadowMapPass,
     vtkObjectIDShadowPass,
@@ -112,7 +100,7 @@ def techniques() -> List[str]:
     >>> vtkshadows.techniques()
     ['depth-map', 'object-id', 'planar', 'shadow-texture', 'stencil-volume', 'ray-cast', 'auto', 'none']
     """
-    return _names_from(vtkShadowPass.GetTechniqueNames)
+    return _find.names_from(vtkShadowPass.GetTechniqueNames)
 
 
 def enable(
@@ -211,13 +199,13 @@ def enable(
     -------
     >>> shadows = vtkshadows.enable(plotter, "ray-cast", strength=0.7)
     """
-    renderer = _find_renderer(renderer)
+    renderer = _find.renderer_of(renderer)
     _check_technique(technique)
-    settings = _check_settings(settings)
+    settings = _settings.check(settings)
     if delegate is not None and not isinstance(delegate, vtkRenderPass):
-        raise ValueError(f"delegate: {_kind(delegate)} is not a vtkRenderPass")
+        raise ValueError(f"delegate: {_find.kind(delegate)} is not a vtkRenderPass")
 
-    shadows = _shadow_pass(renderer)
+    shadows = _find.shadow_pass_of(renderer)
     if shadows is None:
         shadows = vtkShadowPass()
         # Kept with the pass, so that it is forgotten with it.
@@ -226,10 +214,10 @@ def enable(
     if delegate is not None:
         shadows.SetDelegatePass(delegate)
 
-    with _VtkErrors(shadows):
+    with _errors.VtkErrors(shadows):
         shadows.SetTechnique(technique)
         for name, value in settings.items():
-            _SETTINGS[name].apply(shadows, renderer, value)
+            _settings.SETTINGS[name].apply(shadows, renderer, value)
     renderer.SetPass(shadows)
     return shadows
 
@@ -242,8 +230,8 @@ def disable(renderer: Any) -> bool:
     >>> vtkshadows.disable(renderer)
     True
     """
-    renderer = _find_renderer(renderer)
-    shadows = _shadow_pass(renderer)
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.shadow_pass_of(renderer)
     if shadows is None:
         return False
     renderer.SetPass(getattr(shadows, "_vtkshadows_previous", None))
@@ -272,13 +260,13 @@ def visibility(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarray:
     -------
     >>> imageio.imwrite("mask.png", (255 * vtkshadows.visibility(renderer)).astype("uint8"))
     """
-    renderer = _find_renderer(renderer)
-    shadows = _require_shadow_pass(renderer)
-    light = _find_light(renderer, light)
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.require_shadow_pass(renderer)
+    light = _find.light_of(renderer, light)
     image = vtkImageData()
-    with _VtkErrors(shadows) as errors:
+    with _errors.VtkErrors(shadows) as errors:
         errors.require(shadows.GetVisibility(renderer, light, image))
-    return _image_to_numpy(image)
+    return _find.image_to_numpy(image)
 
 
 def explanation(renderer: Any, light: Union[vtkLight, int] = 0) -> str:
@@ -289,9 +277,9 @@ def explanation(renderer: Any, light: Union[vtkLight, int] = 0) -> str:
     >>> vtkshadows.explanation(renderer)
     'depth-map (1024 texels): 0.0071 % wrong and no gross error as measured in this view; 12.8 ms a frame, ...'
     """
-    renderer = _find_renderer(renderer)
-    shadows = _require_shadow_pass(renderer)
-    return shadows.GetExplanation(_find_light(renderer, light))
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.require_shadow_pass(renderer)
+    return shadows.GetExplanation(_find.light_of(renderer, light))
 
 
 def volume_counts(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarray:
@@ -312,13 +300,13 @@ def volume_counts(renderer: Any, light: Union[vtkLight, int] = 0) -> numpy.ndarr
     >>> vtkshadows.volume_counts(renderer)[240, 320]  # of the pixel in row 240 and column 320
     1
     """
-    renderer = _find_renderer(renderer)
-    shadows = _require_shadow_pass(renderer)
-    light = _find_light(renderer, light)
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.require_shadow_pass(renderer)
+    light = _find.light_of(renderer, light)
     image = vtkImageData()
-    with _VtkErrors(shadows) as errors:
+    with _errors.VtkErrors(shadows) as errors:
         errors.require(shadows.GetVolumeCounts(renderer, light, image))
-    return numpy.rint(_image_to_numpy(image)).astype(numpy.int32)
+    return numpy.rint(_find.image_to_numpy(image)).astype(numpy.int32)
 
 
 @dataclass(frozen=True)
@@ -357,11 +345,11 @@ def error(renderer: Any, light: Union[vtkLight, int] = 0) -> ShadowError:
     >>> vtkshadows.error(renderer, light=1).gross_pixels
     0
     """
-    renderer = _find_renderer(renderer)
-    shadows = _require_shadow_pass(renderer)
-    light = _find_light(renderer, light)
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.require_shadow_pass(renderer)
+    light = _find.light_of(renderer, light)
     measure = vtkShadowErrorMeasure()
-    with _VtkErrors(shadows, measure) as errors:
+    with _errors.VtkErrors(shadows, measure) as errors:
         errors.require(measure.Measure(renderer, light))
     return ShadowError(
         receiver_pixels=measure.GetReceiverPixels(),
@@ -374,9 +362,9 @@ def error(renderer: Any, light: Union[vtkLight, int] = 0) -> ShadowError:
         gross_missed_pixels=measure.GetGrossMissedPixels(),
         gross_percent=measure.GetGrossPercent(),
         mean_absolute_difference=measure.GetMeanAbsoluteDifference(),
-        visibility=_image_to_numpy(measure.GetVisibility()),
-        truth=_image_to_numpy(measure.GetTruth()),
-        error_map=_image_to_numpy(measure.GetErrorMap()),
+        visibility=_find.image_to_numpy(measure.GetVisibility()),
+        truth=_find.image_to_numpy(measure.GetTruth()),
+        error_map=_find.image_to_numpy(measure.GetErrorMap()),
     )
 
 
@@ -385,7 +373,7 @@ def set_casts_shadows(prop: vtkProp, casts: bool) -> None:
 
     >>> vtkshadows.set_casts_shadows(floor_actor, False)
     """
-    vtkShadowPass.SetCastsShadows(_check_prop(prop), bool(casts))
+    vtkShadowPass.SetCastsShadows(_find.check_prop(prop), bool(casts))
 
 
 def set_receives_shadows(prop: vtkProp, receives: bool) -> None:
@@ -393,7 +381,7 @@ def set_receives_shadows(prop: vtkProp, receives: bool) -> None:
 
     >>> vtkshadows.set_receives_shadows(label_actor, False)
     """
-    vtkShadowPass.SetReceivesShadows(_check_prop(prop), bool(receives))
+    vtkShadowPass.SetReceivesShadows(_find.check_prop(prop), bool(receives))
 
 
 def set_shadow_catcher(
@@ -426,8 +414,8 @@ def set_shadow_catcher(
     >>> vtkshadows.set_shadow_catcher(ground_actor, strength=0.6)
     """
     if not isinstance(actor, vtkActor):
-        raise ValueError(f"{_kind(actor)} is not a vtkActor; give an actor")
-    _set_catcher(actor, catches, *_check_catcher(color, strength, fade))
+        raise ValueError(f"{_find.kind(actor)} is not a vtkActor; give an actor")
+    _floors.set_catcher(actor, catches, *_floors.check_catcher(color, strength, fade))
 
 
 def set_smooth_cone(renderer: Any, light: Union[vtkLight, int], share: float) -> None:
@@ -445,11 +433,11 @@ def set_smooth_cone(renderer: Any, light: Union[vtkLight, int], share: float) ->
 
     >>> vtkshadows.set_smooth_cone(renderer, 0, 0.3)
     """
-    renderer = _find_renderer(renderer)
-    shadows = _require_shadow_pass(renderer)
-    light = _find_light(renderer, light)
-    share = _number("share", share, 0, 1)
-    with _VtkErrors(shadows):
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.require_shadow_pass(renderer)
+    light = _find.light_of(renderer, light)
+    share = _checks.number("share", share, 0, 1)
+    with _errors.VtkErrors(shadows):
         shadows.SetLightSmoothCone(light, share)
 
 
@@ -479,17 +467,17 @@ def set_light_texture(
 
     >>> vtkshadows.set_light_texture(renderer, 0, "window.png")
     """
-    renderer = _find_renderer(renderer)
-    shadows = _require_shadow_pass(renderer)
-    light = _find_light(renderer, light)
-    texture = _texture_of(image)
+    renderer = _find.renderer_of(renderer)
+    shadows = _find.require_shadow_pass(renderer)
+    light = _find.light_of(renderer, light)
+    texture = _images.texture_of(image)
     if up is not None:
-        up = [_finite("up", each) for each in _vector("up", up)]
+        up = [_checks.finite("up", each) for each in _checks.vector("up", up)]
         if not any(up):
             raise ValueError("up: (0, 0, 0) is no direction; give the way that is up in the image")
-    with _VtkErrors(shadows):
+    with _errors.VtkErrors(shadows):
         shadows.SetLightTexture(light, texture)
-    with _VtkErrors(shadows):
+    with _errors.VtkErrors(shadows):
         if up is not None:
             shadows.SetLightTextureUp(light, *up)
     return texture
@@ -546,28 +534,28 @@ def add_floor(
     -------
     >>> floor = vtkshadows.add_floor(renderer, shadow="depth-map", strength=0.7)
     """
-    renderer = _find_renderer(renderer)
+    renderer = _find.renderer_of(renderer)
     if shadow is not None:
         _check_technique(shadow)
     if not catcher and (strength is not None or fade is not None):
         raise ValueError("strength and fade are a catcher's; leave them out where catcher is False")
-    size = _number("size", size, 0)
+    size = _checks.number("size", size, 0)
     if size == 0:
         raise ValueError("size: 0 is out of range; give more than 0")
     if offset is not None:
-        offset = _finite("offset", offset)
-    normal = (0.0, 0.0, 0.0) if isinstance(normal, str) and normal == "auto" else _direction(normal)
-    color, strength, fade = _check_catcher(color, strength, fade)
+        offset = _checks.finite("offset", offset)
+    normal = (0.0, 0.0, 0.0) if isinstance(normal, str) and normal == "auto" else _floors.direction_of(normal)
+    color, strength, fade = _floors.check_catcher(color, strength, fade)
 
     floor = getattr(renderer, "_vtkshadows_floor", None) or vtkShadowFloor()
     floor.SetNormal(normal)
     floor.SetSize(size)
-    with _VtkErrors(None, floor) as errors:
+    with _errors.VtkErrors(None, floor) as errors:
         errors.require(floor.Fit(renderer) if offset is None else floor.FitAt(renderer, offset))
     renderer._vtkshadows_floor = floor  # to be found again
     actor = floor.GetActor()
     if catcher:
-        _set_catcher(
+        _floors.set_catcher(
             actor,
             True,
             (0.0, 0.0, 0.0) if color is None else color,
@@ -575,7 +563,7 @@ def add_floor(
             0.25 if fade is None else fade,
         )
     else:
-        _set_catcher(actor, False)
+        _floors.set_catcher(actor, False)
         actor.GetProperty().SetColor((0.9, 0.9, 0.9) if color is None else color)
     actor.SetUseBounds(not catcher)
     if not renderer.HasViewProp(actor):
@@ -583,9 +571,9 @@ def add_floor(
 
     if shadow is not None:
         enable(renderer, shadow)
-    if shadow not in (None, "none") and not _has_casting_light(renderer):
+    if shadow not in (None, "none") and not _floors.has_casting_light(renderer):
         if light:
-            _add_key_light(renderer, _normal_of(actor))
+            _floors.add_key_light(renderer, _floors.normal_of(actor))
         else:
             warnings.warn(
                 "this renderer has no light but headlights, which cast no shadow that is seen: add a "
@@ -617,13 +605,13 @@ def screenshot(window: Any, path: Any, transparent: bool = True) -> None:
     -------
     >>> vtkshadows.screenshot(window, "figure.png")
     """
-    window = _find_window(window)
+    window = _find.window_of(window)
     path = os.fspath(path)
     if os.path.splitext(path)[1].lower() != ".png":
         raise ValueError(f"path: {path!r} is no .png file; a picture with alpha must be one")
     if transparent:
         image, matte = vtkImageData(), vtkShadowMatte()
-        with _VtkErrors(None, matte) as errors:
+        with _errors.VtkErrors(None, matte) as errors:
             errors.require(matte.Grab(window, image))
     else:
         window.Render()
@@ -641,151 +629,6 @@ def screenshot(window: Any, path: Any, transparent: bool = True) -> None:
         file.write(vtk_to_numpy(writer.GetResult()).tobytes())
 
 
-# --- Images that lights project --------------------------------------------------------------------
-
-
-def _texture_of(image: Any) -> Optional[vtkTexture]:
-    if image is None or isinstance(image, vtkTexture):
-        return image
-    texture = vtkTexture()
-    texture.InterpolateOn()
-    if isinstance(image, vtkImageData):
-        texture.SetInputData(image)
-    elif isinstance(image, numpy.ndarray):
-        texture.SetInputData(_image_of_pixels(image))
-    else:
-        texture.SetInputData(_read_png(image))
-    return texture
-
-
-def _image_of_pixels(pixels: numpy.ndarray) -> vtkImageData:
-    shape = pixels.shape if pixels.ndim == 3 else (*pixels.shape, 1)
-    if pixels.ndim not in (2, 3) or pixels.dtype != numpy.uint8 or shape[2] not in (1, 3, 4) or 0 in shape:
-        raise ValueError(
-            f"image: an array of shape {pixels.shape} and type {pixels.dtype} is none; give uint8, "
-            "(height, width) or (height, width, 3 or 4)"
-        )
-    image = vtkImageData()
-    image.SetDimensions(shape[1], shape[0], 1)
-    # VTK's rows go up from the bottom.
-    rows = numpy.ascontiguousarray(pixels[::-1]).reshape(-1, shape[2])
-    image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=True))
-    return image
-
-
-def _read_png(path: Any) -> vtkImageData:
-    try:
-        path = os.fspath(path)
-    except TypeError:
-        raise ValueError(
-            f"image: {_kind(path)} is none; give a vtkTexture, a vtkImageData, an array or a .png file"
-        ) from None
-    reader = vtkPNGReader()
-    if not os.path.isfile(path) or not reader.CanReadFile(path):
-        raise ValueError(f"image: {path!r} is no .png file that can be read; give another, or an array")
-    reader.SetFileName(path)
-    with _VtkErrors(None, reader):
-        reader.Update()
-    return reader.GetOutput()
-
-
-# --- Floors and catchers ---------------------------------------------------------------------------
-
-
-def _check_catcher(color, strength, fade):
-    return (
-        None if color is None else [_number("color", each, 0, 1) for each in _vector("color", color)],
-        None if strength is None else _number("strength", strength, 0, 1),
-        None if fade is None else _number("fade", fade, 0, 1),
-    )
-
-
-def _set_catcher(actor, catches, color=None, strength=None, fade=None):
-    vtkShadowPass.SetShadowCatcher(actor, bool(catches))
-    if not catches:
-        return
-    if color is not None:
-        vtkShadowPass.SetCatcherColor(actor, *color)
-    if strength is not None:
-        vtkShadowPass.SetCatcherStrength(actor, strength)
-    if fade is not None:
-        vtkShadowPass.SetCatcherFade(actor, fade)
-
-
-def _vector(name: str, value: Any) -> List[Any]:
-    try:
-        numbers = list(value)
-    except TypeError:
-        numbers = []
-    if len(numbers) != 3 or isinstance(value, str):
-        raise ValueError(f"{name}: {value!r} is not three numbers")
-    return numbers
-
-
-def _finite(name: str, value: Any) -> float:
-    largest = sys.float_info.max
-    try:
-        return _number(name, value, -largest, largest)
-    except ValueError:
-        raise ValueError(f"{name}: {value!r} is not a finite number") from None
-
-
-def _direction(value: Any) -> List[float]:
-    if isinstance(value, str):
-        raise ValueError(f"normal: {value!r} is not known; give 'auto' or three numbers")
-    direction = [_finite("normal", each) for each in _vector("normal", value)]
-    if not any(direction):
-        raise ValueError("normal: (0, 0, 0) is no direction; give the way the floor faces")
-    return direction
-
-
-def _has_casting_light(renderer):
-    return any(not each.LightTypeIsHeadlight() for each in _switched_on(renderer))
-
-
-def _normal_of(actor):
-    matrix = actor.GetUserMatrix()
-    normal = numpy.array([matrix.GetElement(row, 2) for row in range(3)])
-    return normal / numpy.linalg.norm(normal)
-
-
-def _add_key_light(renderer, up):
-    """From above and left of the camera, a little from before it; headlights are left to fill."""
-    if renderer.GetAutomaticLightCreation() and not _switched_on(renderer):
-        headlight = vtkLight()  # as VTK does in the first frame
-        headlight.SetLightTypeToHeadlight()
-        renderer.AddLight(headlight)
-    for each in _switched_on(renderer):
-        each.SetIntensity(each.GetIntensity() / 3)
-    # Not the renderer's own if it has none yet: VTK resets the one that it makes in its first frame.
-    camera = renderer.GetActiveCamera() if renderer.IsActiveCameraCreated() else vtkCamera()
-    back, above = (numpy.array(v) for v in (camera.GetViewPlaneNormal(), camera.GetViewUp()))
-    left = numpy.cross(back, above)
-    left = left - left.dot(up) * up
-    if numpy.linalg.norm(left) < 1e-6:
-        left = numpy.cross(up, back)  # a camera that lies on its side
-    left /= numpy.linalg.norm(left)
-    front = numpy.cross(up, left)
-    front *= 1 if front.dot(back) >= 0 else -1
-    light = vtkLight()
-    light.SetPosition(*(up + 0.55 * left + 0.5 * front))
-    light.SetFocalPoint(0, 0, 0)
-    light.SetIntensity(0.8)
-    renderer.AddLight(light)
-
-
-def _find_window(thing: Any) -> vtkRenderWindow:
-    if isinstance(thing, vtkRenderWindow):
-        return thing
-    if isinstance(thing, vtkRenderer):
-        window = thing.GetRenderWindow()
-    else:
-        window = getattr(thing, "render_window", None) or getattr(thing, "ren_win", None)
-    if not isinstance(window, vtkRenderWindow):
-        raise ValueError(f"{_kind(thing)} is no vtkRenderWindow and is in none; give the window itself")
-    return window
-
-
 def set_stand_in(prop: vtkProp, polydata: Optional[vtkPolyData]) -> None:
     """Let another mesh cast in place of `prop`: a decimated one, or a hull. None: the prop itself, again.
 
@@ -796,472 +639,11 @@ def set_stand_in(prop: vtkProp, polydata: Optional[vtkPolyData]) -> None:
     >>> vtkshadows.set_stand_in(actor, decimate.GetOutput())
     """
     if not (polydata is None or isinstance(polydata, vtkPolyData)):
-        raise ValueError(f"{_kind(polydata)} is not a vtkPolyData; give a mesh, or None")
-    vtkShadowPass.SetStandIn(_check_prop(prop), polydata)
-
-
-# --- Settings of enable() --------------------------------------------------------------------------
-
-
-def _whole_number(name: str, value: Any, low: int, high: float = float("inf")) -> int:
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise ValueError(f"{name}: {value!r} is not a whole number") from None
-    return _in_range(name, number, low, high)
-
-
-def _number(name: str, value: Any, low: float, high: float = float("inf")) -> float:
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: {value!r} is not a number") from None
-    return _in_range(name, number, low, high)
-
-
-def _in_range(name, number, low, high):
-    # Written so that NaN is out of range, and infinity is where there is no upper end.
-    if not (low <= number <= high and number < float("inf")):
-        until = "or more" if high == float("inf") else f"to {high:.10g}"
-        raise ValueError(f"{name}: {number} is out of range; give {low:g} {until}")
-    return number
-
-
-def _one_of(name: str, value: Any, known: Any) -> Any:
-    if value not in list(known):
-        raise ValueError(f"{name}: {value!r} is not known; there are {', '.join(known)}")
-    return value
-
-
-def _ray_cast(shadows: vtkShadowPass) -> Any:
-    technique = shadows.GetRayCastShadowPass()
-    if technique is None:
-        raise RuntimeError(
-            "this build has no ray-cast technique; configure it with -DVTKSHADOWS_WITH_EMBREE=ON"
-        )
-    return technique
-
-
-def _set_resolution(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetResolution(value)
-    shadows.GetObjectIDShadowPass().SetResolution(value)
-    shadows.GetShadowTexturePass().SetResolution(value)
-
-
-_OBJECT_TYPES = {
-    "prop": vtkObjectIDShadowPass.PROP,
-    "block": vtkObjectIDShadowPass.BLOCK,
-    "instance": vtkObjectIDShadowPass.INSTANCE,
-    "piece": vtkObjectIDShadowPass.PIECE,
-}
-
-
-def _set_object_type(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetObjectType(_OBJECT_TYPES[value])
-
-
-def _set_object_depth(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetCombineDepth(value)
-
-
-def _set_object_depth_bits(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetDepthBits(value)
-
-
-def _set_object_taps(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetTaps(value)
-
-
-def _set_cascades(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetNumberOfCascades(value)
-    shadows.GetObjectIDShadowPass().SetNumberOfCascades(value)
-
-
-_FILTERS = {
-    vtkDepthShadowMapPass.GetFilterName(each): each
-    for each in range(vtkDepthShadowMapPass.GetNumberOfFilters())
-}
-
-
-def _set_filter(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetFilter(_FILTERS[value])
-
-
-def _set_filter_radius(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetFilterRadius(value)
-
-
-def _set_filter_taps(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetFilterTaps(value)
-
-
-def _depth_bits(name, value):
-    if value not in (8, 16, 24, 32):
-        raise ValueError(f"{name}: {value!r} is no format of a depth map; give 8, 16, 24 or 32")
-    return int(value)
-
-
-def _set_depth_bits(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetDepthBits(value)
-
-
-def _bias(name, value):
-    if isinstance(value, str) and value == "automatic":
-        return value
-    try:
-        constant, slope = value
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: {value!r} is neither 'automatic' nor (constant, slope)") from None
-    return tuple(_number(name, _finite(name, each), -1e9, 1e9) for each in (constant, slope))
-
-
-def _set_bias(shadows, renderer, value):
-    maps = shadows.GetDepthShadowMapPass()
-    if value == "automatic":
-        maps.SetBiasMode(vtkDepthShadowMapPass.AUTOMATIC_BIAS)
-    else:
-        maps.SetBiasMode(vtkDepthShadowMapPass.MANUAL_BIAS)
-        maps.SetConstantBias(value[0])
-        maps.SetSlopeBias(value[1])
-
-
-_BEYOND = {
-    "lit": vtkDepthShadowMapPass.LIT_BEYOND,
-    "repeat": vtkDepthShadowMapPass.REPEAT_BEYOND,
-    "clamp": vtkDepthShadowMapPass.CLAMP_BEYOND,
-}
-
-
-def _set_beyond(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetBeyond(_BEYOND[value])
-
-
-def _set_light_samples(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetLightSamples(min(value, 256))
-    shadows.GetPlanarShadowPass().SetLightSamples(value)
-    shadows.GetStencilShadowVolumePass().SetLightSamples(value)
-    if shadows.GetRayCastShadowPass() is not None:
-        shadows.GetRayCastShadowPass().SetLightSamples(value)
-
-
-def _set_epsilon_scale(shadows, renderer, value):
-    _ray_cast(shadows).SetEpsilonScale(value)
-
-
-_VARIANTS = {
-    "automatic": vtkStencilShadowVolumePass.AUTOMATIC,
-    "z-fail": vtkStencilShadowVolumePass.Z_FAIL,
-    "z-pass": vtkStencilShadowVolumePass.Z_PASS,
-    "z-pass-capped": vtkStencilShadowVolumePass.Z_PASS_CAPPED,
-    "parity": vtkStencilShadowVolumePass.PARITY,
-}
-
-
-def _set_variant(shadows, renderer, value):
-    shadows.GetStencilShadowVolumePass().SetVariant(_VARIANTS[value])
-
-
-_COUNTERS = {
-    "automatic": vtkStencilShadowVolumePass.AUTOMATIC_COUNTER,
-    "wrapping-stencil": vtkStencilShadowVolumePass.WRAPPING_STENCIL,
-    "float": vtkStencilShadowVolumePass.FLOAT_COUNTER,
-}
-
-
-def _set_counter(shadows, renderer, value):
-    shadows.GetStencilShadowVolumePass().SetCounter(_COUNTERS[value])
-
-
-def _set_smoothing(shadows, renderer, value):
-    shadows.GetStencilShadowVolumePass().SetSmoothing(value)
-
-
-_SOFT_METHODS = {
-    "sample-lights": vtkPlanarShadowPass.SAMPLE_LIGHTS,
-    "offset-planes": vtkPlanarShadowPass.OFFSET_PLANES,
-    "plateaus": vtkPlanarShadowPass.PLATEAUS,
-}
-
-
-def _set_soft_method(shadows, renderer, value):
-    shadows.GetPlanarShadowPass().SetSoftMethod(_SOFT_METHODS[value])
-
-
-def _set_plane_textures(shadows, renderer, value):
-    shadows.GetPlanarShadowPass().SetPlaneTextures(value)
-
-
-def _set_texture_resolution(shadows, renderer, value):
-    shadows.GetPlanarShadowPass().SetTextureResolution(value)
-
-
-def _set_texture_per_caster(shadows, renderer, value):
-    shadows.GetShadowTexturePass().SetTexturePerCaster(value)
-
-
-def _set_near_plane(shadows, renderer, value):
-    textures = shadows.GetShadowTexturePass()
-    if value > 0:
-        textures.SetNearPlane(value)
-    textures.SetCasterSelection(textures.BY_NEAR_PLANE if value > 0 else textures.BY_FLAG)
-
-
-def _planes(name, value):
-    try:
-        planes = numpy.array(list(value), dtype=float).reshape(-1, 4)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: {value!r} is not a list of (nx, ny, nz, offset)") from None
-    for plane in planes:
-        if not numpy.isfinite(plane).all() or not plane[:3].any():
-            raise ValueError(f"{name}: {tuple(plane)} has no normal; give (nx, ny, nz, offset), finite")
-    return planes
-
-
-def _set_planes(shadows, renderer, value):
-    planar = shadows.GetPlanarShadowPass()
-    planar.RemoveAllPlanes()
-    for plane in value:
-        planar.AddPlane(*plane)
-
-
-def _flag(name, value):
-    if not isinstance(value, (bool, numpy.bool_)):
-        raise ValueError(f"{name}: {value!r} is not True or False")
-    return bool(value)
-
-
-def _debug_views() -> List[str]:
-    return _names_from(vtkShadowPass.GetDebugViewNames)
-
-
-def _set_debug_view(shadows, renderer, value):
-    shadows.SetDebugView(value)
-
-
-def _set_maximum_error(shadows, renderer, value):
-    shadows.SetMaximumError(value)
-
-
-def _set_maximum_frame_time(shadows, renderer, value):
-    shadows.SetMaximumFrameTime(value)
-
-
-def _set_strength(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightStrength(light, value)
-
-
-def _set_maximum_distance(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightMaximumDistance(light, value)
-
-
-def _set_fade(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightFade(light, value)
-
-
-_TRANSLUCENT_CASTERS = {
-    "none": vtkShadowPass.TRANSLUCENT_NONE,
-    "opaque": vtkShadowPass.TRANSLUCENT_OPAQUE,
-    "stochastic": vtkShadowPass.TRANSLUCENT_STOCHASTIC,
-    "transmittance": vtkShadowPass.TRANSLUCENT_TRANSMITTANCE,
-}
-
-
-def _set_translucent_casters(shadows, renderer, value):
-    shadows.SetTranslucentCasting(_TRANSLUCENT_CASTERS[value])
-
-
-def _set_radius(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightRadius(light, value)
-
-
-@dataclass(frozen=True)
-class _Setting:
-    check: Any  # (name, value) -> value
-    apply: Any  # (shadows, renderer, value)
-
-
-_SETTINGS = {
-    "resolution": _Setting(lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_resolution),
-    "object_type": _Setting(lambda n, v: _one_of(n, v, _OBJECT_TYPES), _set_object_type),
-    "object_depth": _Setting(_flag, _set_object_depth),
-    "object_depth_bits": _Setting(_depth_bits, _set_object_depth_bits),
-    "object_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 4), _set_object_taps),
-    "cascades": _Setting(lambda n, v: _whole_number(n, v, 1, 8), _set_cascades),
-    "filter": _Setting(lambda n, v: _one_of(n, v, _FILTERS), _set_filter),
-    "filter_radius": _Setting(lambda n, v: _number(n, v, 0.5, 64), _set_filter_radius),
-    "filter_taps": _Setting(lambda n, v: _whole_number(n, v, 1, 256), _set_filter_taps),
-    "depth_bits": _Setting(_depth_bits, _set_depth_bits),
-    "bias": _Setting(_bias, _set_bias),
-    "beyond": _Setting(lambda n, v: _one_of(n, v, _BEYOND), _set_beyond),
-    "light_samples": _Setting(lambda n, v: _whole_number(n, v, 1, 4096), _set_light_samples),
-    "epsilon_scale": _Setting(lambda n, v: _number(n, v, 1e-3, 1e6), _set_epsilon_scale),
-    "variant": _Setting(lambda n, v: _one_of(n, v, _VARIANTS), _set_variant),
-    "counter": _Setting(lambda n, v: _one_of(n, v, _COUNTERS), _set_counter),
-    "smoothing": _Setting(_flag, _set_smoothing),
-    "planes": _Setting(_planes, _set_planes),
-    "plane_textures": _Setting(_flag, _set_plane_textures),
-    "texture_resolution": _Setting(
-        lambda n, v: _whole_number(n, v, 1, 2**31 - 1), _set_texture_resolution
-    ),
-    "texture_per_caster": _Setting(_flag, _set_texture_per_caster),
-    "near_plane": _Setting(lambda n, v: _number(n, v, 0), _set_near_plane),
-    "soft_method": _Setting(lambda n, v: _one_of(n, v, _SOFT_METHODS), _set_soft_method),
-    "debug_view": _Setting(lambda n, v: _one_of(n, v, _debug_views()), _set_debug_view),
-    "maximum_error": _Setting(lambda n, v: _number(n, v, 0, 100), _set_maximum_error),
-    "maximum_frame_time": _Setting(lambda n, v: _number(n, v, 0), _set_maximum_frame_time),
-    "strength": _Setting(lambda n, v: _number(n, v, 0, 1), _set_strength),
-    "radius": _Setting(lambda n, v: _number(n, v, 0), _set_radius),
-    "maximum_distance": _Setting(lambda n, v: _number(n, v, 0), _set_maximum_distance),
-    "fade": _Setting(lambda n, v: _number(n, v, 0, 1), _set_fade),
-    "translucent_casters": _Setting(lambda n, v: _one_of(n, v, _TRANSLUCENT_CASTERS), _set_translucent_casters),
-}
-
-
-def _check_settings(settings):
-    for name in settings:
-        if name not in _SETTINGS:
-            raise ValueError(f"unknown setting {name!r}; there are {', '.join(_SETTINGS)}")
-    return {name: _SETTINGS[name].check(name, value) for name, value in settings.items()}
+        raise ValueError(f"{_find.kind(polydata)} is not a vtkPolyData; give a mesh, or None")
+    vtkShadowPass.SetStandIn(_find.check_prop(prop), polydata)
 
 
 def _check_technique(technique):
     known = techniques()
     if technique not in known:
         raise ValueError(f"unknown technique {technique!r}; there are {', '.join(known)}")
-
-
-def _names_from(fill: Any) -> List[str]:
-    names = vtkStringArray()
-    fill(names)
-    return [names.GetValue(i) for i in range(names.GetNumberOfValues())]
-
-
-# --- Finding things --------------------------------------------------------------------------------
-
-
-def _kind(thing: Any) -> str:
-    return type(thing).__name__
-
-
-def _find_renderer(thing: Any) -> vtkRenderer:
-    """The vtkRenderer that `thing` is, or that it has: a PyVista plotter's active one, a window's one."""
-    if isinstance(thing, vtkRenderer):
-        return thing
-    active = getattr(thing, "renderer", None)
-    if isinstance(active, vtkRenderer):
-        return active
-    if isinstance(thing, vtkRenderWindow):
-        several = list(thing.GetRenderers())
-    else:
-        several = list(getattr(thing, "renderers", None) or [])
-    if len(several) == 1 and isinstance(several[0], vtkRenderer):
-        return several[0]
-    if several:
-        raise ValueError(f"{_kind(thing)} has {len(several)} renderers; give one of them")
-    raise ValueError(f"{_kind(thing)} is not a vtkRenderer and has none; give the renderer itself")
-
-
-def _shadow_pass(renderer: vtkRenderer) -> Optional[vtkShadowPass]:
-    shadows = renderer.GetPass()
-    return shadows if isinstance(shadows, vtkShadowPass) else None
-
-
-def _require_shadow_pass(renderer: vtkRenderer) -> vtkShadowPass:
-    shadows = _shadow_pass(renderer)
-    if shadows is None:
-        raise ValueError("this renderer has no shadows; call vtkshadows.enable(renderer) first")
-    return shadows
-
-
-def _switched_on(renderer: vtkRenderer) -> List[vtkLight]:
-    return [each for each in renderer.GetLights() if each.GetSwitch()]
-
-
-def _find_light(renderer: vtkRenderer, light: Union[vtkLight, int]) -> vtkLight:
-    if isinstance(light, vtkLight):
-        if not renderer.GetLights().IsItemPresent(light):
-            raise ValueError("light: not one of this renderer's; add it with AddLight")
-        return light
-    switched_on = _switched_on(renderer)
-    if not switched_on:
-        raise ValueError(
-            "this renderer has no light switched on; add one, or render once to get VTK's default"
-        )
-    try:
-        index = operator.index(light)
-    except TypeError:
-        raise ValueError(f"light: {light!r} is neither a vtkLight nor an index") from None
-    if not 0 <= index < len(switched_on):
-        raise ValueError(
-            f"light: {index} is out of range; this renderer has {len(switched_on)} switched on, from 0"
-        )
-    return switched_on[index]
-
-
-def _check_prop(prop: Any) -> vtkProp:
-    if not isinstance(prop, vtkProp):
-        raise ValueError(f"{_kind(prop)} is not a vtkProp; give an actor")
-    return prop
-
-
-def _image_to_numpy(image: vtkImageData) -> numpy.ndarray:
-    """The scalars of a 2D image as (height, width[, components]), row 0 at the top."""
-    width, height, _ = image.GetDimensions()
-    scalars = vtk_to_numpy(image.GetPointData().GetScalars())
-    shape = (height, width) + scalars.shape[1:]
-    # VTK's rows go up from the bottom. A copy: the image dies with the call.
-    return numpy.array(scalars.reshape(shape)[::-1], order="C")
-
-
-# --- VTK's errors as exceptions --------------------------------------------------------------------
-
-
-class _VtkErrors:
-    """While it lasts, errors of a vtkShadowPass, if any, and of `others` are collected, not displayed.
-
-    At its end the first one is raised as a RuntimeError.
-    """
-
-    def __init__(self, shadows: Optional[vtkShadowPass], *others: Any):
-        parts = [shadows, *others]
-        if shadows is not None:
-            parts += [
-                shadows.GetDepthShadowMapPass(),
-                shadows.GetObjectIDShadowPass(),
-                shadows.GetPlanarShadowPass(),
-                shadows.GetShadowTexturePass(),
-                shadows.GetStencilShadowVolumePass(),
-                shadows.GetRayCastShadowPass(),
-                shadows.GetScene(),
-            ]
-        self._objects = [each for each in parts if each is not None]
-        self._messages: List[str] = []
-
-    def require(self, done: bool) -> None:
-        """Note a call that failed without saying why."""
-        if not done and not self._messages:
-            self._messages.append("VTK could not do it, and did not say why")
-
-    def __enter__(self) -> "_VtkErrors":
-        @calldata_type(VTK_STRING)
-        def collect(caller, event, message):
-            self._messages.append(_plain_message(message))
-
-        self._tags = [(each, each.AddObserver("ErrorEvent", collect)) for each in self._objects]
-        return self
-
-    def __exit__(self, kind, value, traceback) -> None:
-        for each, tag in self._tags:
-            each.RemoveObserver(tag)
-        if kind is None and self._messages:
-            raise RuntimeError(self._messages[0])
-
-
-def _plain_message(message: str) -> str:
-    """VTK's message without file, line and address: "ERROR: In f.cxx, line 1\\nvtkX (0x1): text"."""
-    text = re.sub(r"^(ERROR|Warning): In .*, line \d+\n", "", message).strip()
-    return re.sub(r"^(\w+) \(0x[0-9a-f]+\): ", r"\1: ", text)

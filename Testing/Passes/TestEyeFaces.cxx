@@ -32,6 +32,7 @@ protected:
   {
     ShadowTest::SetUp();
     this->Shadows->SetTechnique("depth-map");
+    this->Shadows->CullHiddenFacesOn();
     AddFloor(this->Renderer, 5.0);
     this->Ball = AddSphere(this->Renderer, { -1.0, 0.0, 1.2 }, 0.8);
     this->Light = AddSpot(this->Renderer, { 2.5, -2.5, 6.0 }, { 0.0, 0.0, 0.5 }, 40.0);

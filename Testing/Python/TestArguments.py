@@ -229,7 +229,7 @@ class TestArguments(unittest.TestCase):
         # Of the technique itself, and not only of the pass.
         shadows = vtkshadows.enable(SCENE.renderer, "stencil-volume")
         with self.assertRaisesRegex(RuntimeError, "Variant 9 is none of"):
-            with vtkshadows._VtkErrors(shadows):
+            with vtkshadows._errors.VtkErrors(shadows):
                 shadows.GetStencilShadowVolumePass().SetVariant(9)
 
 
