@@ -1,6 +1,9 @@
 #include "vtkShadowMatte.h"
 
+#include "vtkShadowPass.h"
+
 #include "vtkImageData.h"
+#include "vtkImageProcessingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
@@ -18,32 +21,55 @@ vtkStandardNewMacro(vtkShadowMatte);
 namespace
 {
 
-// One renderer's background, and back at the end of the scope.
-class PlainBackground
+// The pass by which a renderer has shadows, also where another takes samples of what it draws.
+vtkShadowPass* ShadowsOf(vtkRenderer* renderer)
+{
+  vtkRenderPass* pass = renderer->GetPass();
+  while (auto* sampling = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    pass = sampling->GetDelegatePass();
+  }
+  return vtkShadowPass::SafeDownCast(pass);
+}
+
+// One renderer's background and choice of shadows, and back at the end of the scope.
+class PlainFrame
 {
 public:
-  explicit PlainBackground(vtkRenderer* renderer)
+  explicit PlainFrame(vtkRenderer* renderer)
     : Renderer(renderer)
     , Gradient(renderer->GetGradientBackground())
     , Textured(renderer->GetTexturedBackground())
+    , Shadows(ShadowsOf(renderer))
+    , Held(this->Shadows && this->Shadows->GetHoldChoice())
   {
+    if (this->Shadows)
+    {
+      this->Shadows->HoldChoiceOn();
+    }
     renderer->GetBackground(this->Colour);
     renderer->GradientBackgroundOff();
     renderer->TexturedBackgroundOff();
   }
-  ~PlainBackground()
+  ~PlainFrame()
   {
     this->Renderer->SetBackground(this->Colour);
     this->Renderer->SetGradientBackground(this->Gradient);
     this->Renderer->SetTexturedBackground(this->Textured);
+    if (this->Shadows)
+    {
+      this->Shadows->SetHoldChoice(this->Held);
+    }
   }
-  PlainBackground(const PlainBackground&) = delete;
-  void operator=(const PlainBackground&) = delete;
+  PlainFrame(const PlainFrame&) = delete;
+  void operator=(const PlainFrame&) = delete;
   void SetGrey(double value) { this->Renderer->SetBackground(value, value, value); }
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
   bool Gradient, Textured;
+  vtkSmartPointer<vtkShadowPass> Shadows;
+  bool Held;
   double Colour[3];
 };
 
@@ -58,12 +84,12 @@ bool vtkShadowMatte::Grab(vtkRenderWindow* window, vtkImageData* image)
                           << "): give a vtkRenderWindow, and a vtkImageData to fill.");
     return false;
   }
-  std::vector<std::unique_ptr<PlainBackground>> backgrounds;
+  std::vector<std::unique_ptr<PlainFrame>> backgrounds;
   vtkCollectionSimpleIterator it;
   window->GetRenderers()->InitTraversal(it);
   while (vtkRenderer* renderer = window->GetRenderers()->GetNextRenderer(it))
   {
-    backgrounds.emplace_back(new PlainBackground(renderer));
+    backgrounds.emplace_back(new PlainFrame(renderer));
   }
 
   // Nobody need see the two frames.

@@ -380,6 +380,18 @@ bool vtkShadowPass::GetChoiceIsSettled() const
 }
 
 //------------------------------------------------------------------------------
+// No setting of the picture: nothing is modified.
+void vtkShadowPass::SetHoldChoice(bool held)
+{
+  this->Internal->Chooser.SetHolds(held);
+}
+
+bool vtkShadowPass::GetHoldChoice() const
+{
+  return this->Internal->Chooser.GetHolds();
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::SetTranslucentCasting(int how)
 {
   if (how < TRANSLUCENT_NONE || how > TRANSLUCENT_TRANSMITTANCE)

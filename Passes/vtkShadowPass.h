@@ -140,6 +140,17 @@ public:
 
   ///@{
   /**
+   * Draw each frame by what "auto" took for the last one, as long as that is right (default off). For
+   * frames that make one picture together, which must be alike: tiles, samples, a matte
+   * (vtkShadowMatte turns it on by itself). Trials go on once it is off.
+   */
+  void SetHoldChoice(bool held);
+  bool GetHoldChoice() const;
+  vtkBooleanMacro(HoldChoice, bool);
+  ///@}
+
+  ///@{
+  /**
    * Technique of one light, and back to the default one with an empty name.
    */
   bool SetLightTechnique(vtkLight* light, const std::string& name);

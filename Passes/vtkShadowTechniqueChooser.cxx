@@ -571,11 +571,11 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
   }
   this->Trials().SetWays(ways, this->Budget);
 
-  // A read-back is of the last frame's way, as long as that is right.
+  // A read-back, and a frame that is held, is of the last frame's way, as long as that is right.
   const std::vector<FrameWay>& there = this->Trials().GetWays();
   const auto last = std::find_if(there.begin(), there.end(),
     [&](const FrameWay& way) { return way.settings == this->LastSettings; });
-  this->Drawn = !request.IsDrawn && last != there.end()
+  this->Drawn = (this->Holds || !request.IsDrawn) && last != there.end()
     ? static_cast<std::size_t>(last - there.begin())
     : this->Trials().Current();
   const std::vector<Setting>& settings = there[this->Drawn].settings;
@@ -600,7 +600,7 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
 //------------------------------------------------------------------------------
 void vtkShadowTechniqueChooser::FrameDrawn(std::optional<double> seconds)
 {
-  if (this->IsChosen && this->WasJustMoved == this->IsMoving)
+  if (this->IsChosen && !this->Holds && this->WasJustMoved == this->IsMoving)
   {
     // A measure disturbs what is timed after it, too: caches, and the driver's queue.
     this->Trials().FrameDrawn(this->MeasuringSeconds > 0.0 ? std::nullopt : seconds);

@@ -53,7 +53,10 @@ public:
 
   // Around the drawing of a frame. BeginFrame says whether it is to be timed; `seconds` without
   // what measuring took.
-  bool WantsTime() const { return this->IsChosen && this->Trials().WantsTime(); }
+  bool WantsTime() const { return this->IsChosen && !this->Holds && this->Trials().WantsTime(); }
+  // Frames that make one picture are drawn alike: each as the last one, as long as that is right.
+  void SetHolds(bool holds) { this->Holds = holds; }
+  bool GetHolds() const { return this->Holds; }
   void FrameDrawn(std::optional<double> seconds);
   double SecondsMeasuring() const { return this->MeasuringSeconds; } // in the last Choose
   // Whether a choice that is made already, for lights that stand or that move, has a technique.
@@ -113,6 +116,7 @@ private:
   bool IsChosen = false;
   std::size_t Drawn = 0; // among the ways: the last Choose's
   std::vector<Setting> LastSettings;
+  bool Holds = false;
   std::map<const vtkLight*, Setting> InUse; // the same, by light
   double MeasuringSeconds = 0.0;
   double TimedFor[3] = { 0.0, 0.0, 0.0 }; // triangles, pixels and lights that times are of
