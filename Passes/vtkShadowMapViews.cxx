@@ -11,6 +11,8 @@
 #include <unordered_set>
 #include <utility>
 
+const double vtkShadowMapViews::PerspectiveRounding = std::ldexp(12.0, -24);
+
 const vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::LitEverywhere = { 0, 0, 0, 0, 0, 0, 0, 0,
   0, 0, 0, 0, 0, 0, -2, 1 };
 
@@ -33,9 +35,6 @@ double TermsOf(const glm::dvec4& row, double farthest)
   return glm::length(glm::dvec3(row)) * farthest + std::abs(row.w);
 }
 
-// A depth is looked up as 1 and what it is less, each of them rounded.
-const double LookupRounding = 1.0 + std::ldexp(1.0, -24);
-
 // In a cube of which `unit` is 1.
 FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
   int side, double unit, double riseTexels, double farthest)
@@ -43,7 +42,8 @@ FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWor
   const glm::dmat4 map = vtkShadowMatrix::MapFromClip(side, side) * view.clipFromView;
   const double slack = vtkShadowMapViews::DepthSlack(
     map * (view.viewFromWorld * glm::inverse(viewFromWorld)), view, side, riseTexels, farthest);
-  return { static_cast<float>(-map[2][2] - std::ldexp(std::abs(map[2][2]), -23)),
+  return { static_cast<float>(
+             -map[2][2] - vtkShadowMapViews::PerspectiveRounding * std::abs(map[2][2])),
     static_cast<float>((map[3][2] - slack) / unit), static_cast<float>(layer),
     static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
@@ -239,7 +239,7 @@ glm::dmat4 vtkShadowMapViews::ReceiverMap(const vtkShadowMapSlot& slot, const Li
     return map;
   }
   const glm::dvec4 w = glm::row(map, 3);
-  map = glm::row(map, 2, glm::row(map, 2) - LookupRounding * w);
+  map = glm::row(map, 2, glm::row(map, 2) - (1.0 + PerspectiveRounding) * w);
   map[3][2] -= slack;
   return map / TermsOf(w, farthest);
 }

@@ -96,6 +96,9 @@ public:
 
   // Takes every point nearer to the light than any caster.
   static const ShaderMatrix LitEverywhere;
+  // In a perspective map, how much of 1 is taken off a receiver's depth for what the depths there
+  // and the stored ones are rounded by.
+  static const double PerspectiveRounding;
 
   void Fit(const vtkShadowFrame& frame, const std::vector<int>& lights, const vtkShadowMapFit& fit,
     const vtkShadowMapRoles& roles = {});

@@ -259,7 +259,8 @@ void vtkShadowSampledLights::FitOne(const vtkShadowFrame& frame,
     else
     {
       put(face.ScaleAndCentre, map[0][0], map[1][1], -map[2][0], -map[2][1]);
-      put(face.DepthAndLayer, -map[2][2] - std::ldexp(std::abs(map[2][2]), -23),
+      put(face.DepthAndLayer,
+        -map[2][2] - vtkShadowMapViews::PerspectiveRounding * std::abs(map[2][2]),
         (map[3][2] - slack) / unit, layer, step);
     }
   }
