@@ -526,6 +526,27 @@ TEST_F(Auto, UsersSettingsStay)
 }
 
 //------------------------------------------------------------------------------
+// Frames that make one picture are drawn alike, though trials are not done; they go on afterwards.
+TEST_F(Auto, HeldFramesAreAlike)
+{
+  this->MakeStillLife();
+  this->Render();
+  this->Render();
+  ASSERT_FALSE(this->Shadows->GetChoiceIsSettled());
+  const std::string drawn = this->Chosen(this->Sun);
+  this->Shadows->HoldChoiceOn();
+  for (int i = 0; i < 30; ++i)
+  {
+    this->Render();
+    EXPECT_EQ(this->Chosen(this->Sun), drawn) << "frame " << i;
+  }
+  EXPECT_FALSE(this->Shadows->GetChoiceIsSettled());
+  this->Shadows->HoldChoiceOff();
+  this->Settle();
+  EXPECT_TRUE(this->Shadows->GetChoiceIsSettled());
+}
+
+//------------------------------------------------------------------------------
 // A read-back is that of the frame before it, and does not disturb what is being told.
 TEST_F(Auto, ReadBackIsOfTheFrame)
 {
