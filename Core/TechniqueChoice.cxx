@@ -149,10 +149,13 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
     const double figure = error.Figure(isSoft);
     return margin * figure + 2.0 * std::sqrt(figure * percentOfOne) <= *budget.maximumError;
   }
-  return margin * error.gross <= MostGrossPercent &&
-    (!isSoft ||
-      (margin * error.meanDifference <= MostSoftDifferencePercent &&
-        margin * error.penumbraDifference <= MostPenumbraDifferencePercent));
+  if (margin * error.gross > MostGrossPercent)
+  {
+    return false;
+  }
+  return isSoft ? margin * error.meanDifference <= MostSoftDifferencePercent &&
+      margin * error.penumbraDifference <= MostPenumbraDifferencePercent
+                : margin * error.mismatch <= MostMismatchPercent;
 }
 
 std::string BudgetText(const ShadowBudget& budget)

@@ -103,9 +103,11 @@ struct ErrorPercents
 };
 
 // Without a budget of error: at most one gross pixel in 100 000, which the exact techniques have,
-// too; and of a soft light what is hard to see beside the truth: a mean difference over all pixels,
+// too, and no more mismatch than passes for edges, where things are so thin that no pixel is far from
+// one; of a soft light what is hard to see beside the truth: a mean difference over all pixels,
 // and one over those of the penumbra, where few samples show as steps.
 constexpr double MostGrossPercent = 0.001;
+constexpr double MostMismatchPercent = 2.0;
 constexpr double MostSoftDifferencePercent = 1.0;
 constexpr double MostPenumbraDifferencePercent = 4.0;
 

@@ -140,6 +140,10 @@ TEST(TechniqueChoice, Budgets)
   EXPECT_TRUE(vtkshadows::IsWithin({}, error, false, 1.0));
   error.gross = 2.0 * vtkshadows::MostGrossPercent;
   EXPECT_FALSE(vtkshadows::IsWithin({}, error, false, 1.0));
+  // Of thin things every pixel is near to an edge, and none is gross.
+  vtkshadows::ErrorPercents thin;
+  thin.mismatch = 2.0 * vtkshadows::MostMismatchPercent;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, thin, false, 1.0));
 
   ShadowBudget budget;
   budget.maximumError = 0.5;
