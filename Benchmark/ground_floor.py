@@ -304,6 +304,7 @@ def measure(name, renderer, window, size, options):
     rows = []
     for technique in options.techniques:
         shadows = vtkshadows.enable(renderer, technique, resolution=options.resolution)
+        shadows.SetCullHiddenFaces(options.cull_hidden_faces)
         window.Render()
         if options.output:
             write_png(options.output / f"{name}-{size[0]}x{size[1]}-{technique}.png", window=window)
@@ -374,6 +375,7 @@ def main():
     parser.add_argument("--mesh", type=pathlib.Path, default=ROOT / "build/demo/refined_elephant.off")
     parser.add_argument("--resolution", type=int, default=2048)
     parser.add_argument("--rounds", type=int, default=30)
+    parser.add_argument("--cull-hidden-faces", action="store_true", help="as SetCullHiddenFaces does")
     parser.add_argument("--scenes", default="still-life,scan,tubes-and-glyphs")
     parser.add_argument("--techniques", default="depth-map,ray-cast")
     parser.add_argument("--sizes", default="1024x768,768x768,333x1000", help="times at the first only")
