@@ -1,21 +1,17 @@
 #include "vtkShadowMeasuredErrors.h"
 
+#include "vtkShadowSeconds.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace
 {
 
 using Circumstances = vtkShadowMeasuredErrors::Circumstances;
-
-double Now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // How far apart two positive numbers are, as the logarithm of their ratio.
 double Ratio(double a, double b)
@@ -59,7 +55,8 @@ std::optional<vtkShadowMeasuredErrors::Record> vtkShadowMeasuredErrors::Find(
   {
     if (entry.Then.Source == now.Source && entry.Setting == setting)
     {
-      return Record{ entry.Error, entry.Cost, Now() - entry.Time, DriftOf(entry.Then, now) };
+      return Record{ entry.Error, entry.Cost, vtkShadowSeconds() - entry.Time,
+        DriftOf(entry.Then, now) };
     }
   }
   return std::nullopt;
@@ -73,7 +70,7 @@ void vtkShadowMeasuredErrors::Keep(const vtkshadows::ShadowSetting& setting,
                         [&](const Entry& entry)
                         { return entry.Then.Source == now.Source && entry.Setting == setting; }),
     this->Entries.end());
-  this->Entries.push_back({ setting, now, error, cost, Now() });
+  this->Entries.push_back({ setting, now, error, cost, vtkShadowSeconds() });
 }
 
 void vtkShadowMeasuredErrors::KeepOnly(const std::vector<const vtkLight*>& lights)

@@ -1,10 +1,10 @@
 #include "vtkShadowPassInternals.h"
 
-#include "ShadowCandidates.h"
 #include "vtkDepthShadowMapPass.h"
 #include "vtkObjectIDShadowPass.h"
 #include "vtkPlanarShadowPass.h"
 #include "vtkShadowOpenGL.h"
+#include "vtkShadowSeconds.h"
 #include "vtkShadowTexturePass.h"
 #include "vtkStencilShadowVolumePass.h"
 
@@ -16,9 +16,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <map>
 #include <optional>
 
 using vtkshadows::AutoTechnique;
@@ -61,7 +59,7 @@ void DrawBlendingInPlace(const vtkRenderState* s)
 double SecondsOnceDrawn()
 {
   glFinish();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return vtkShadowSeconds();
 }
 
 }

@@ -1,6 +1,7 @@
 #include "vtkShadowTechniqueChooser.h"
 
 #include "ShadowCandidates.h"
+#include "vtkShadowSeconds.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderer.h"
@@ -9,7 +10,6 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -54,11 +54,6 @@ constexpr double DriftOfMotion = 0.02;
 
 // Times the triangles, pixels or lights that times of frames hold for.
 constexpr double OtherScene = 1.5;
-
-double Now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 ShadowSetting Exactly(const char* technique)
 {
@@ -279,11 +274,11 @@ bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting
     return false;
   }
   this->Settings.Apply(setting);
-  const double start = Now();
+  const double start = vtkShadowSeconds();
   std::vector<std::optional<vtkshadows::ErrorPercents>> errors;
   if (request.MeasureErrors(setting.technique, indices, errors))
   {
-    const double cost = Now() - start;
+    const double cost = vtkShadowSeconds() - start;
     for (const ChosenLight& light : this->Chosen)
     {
       const auto found = std::find(indices.begin(), indices.end(), light.Index);
@@ -295,7 +290,7 @@ bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting
       }
     }
   }
-  this->MeasuringSeconds += Now() - start;
+  this->MeasuringSeconds += vtkShadowSeconds() - start;
   return true;
 }
 
