@@ -20,9 +20,9 @@ def figure(value):
     return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
 
 
-def chosen(row):
-    """What auto took for the first light: its explanation up to the colon."""
-    explanations = row.get("explanations") or ["nothing is said"]
+def chosen(row, key):
+    """What auto took for each light: its explanation up to the colon."""
+    explanations = row.get(key) or ["nothing is said"]
     return "; ".join(dict.fromkeys(text.split(":")[0] for text in explanations))
 
 
@@ -39,14 +39,16 @@ def autos(report):
 def auto_table(report):
     lines = []
     for row in autos(report):
-        line = [row["scene"], chosen(row), f"{worst(row, 'mismatch_percent'):.3f}",
+        line = [row["scene"], chosen(row, "explanations"), f"{worst(row, 'mismatch_percent'):.3f}",
                 str(max(e["gross_false_pixels"] + e["gross_missed_pixels"] for e in row["errors"]))]  # fmt: skip
         for kind in KINDS:
+            if kind == "moving":
+                line.append(chosen(row, "explanations_moving"))
             found = over_best(report, row, kind)
             line.append(f"{row['ratio_' + kind]:.2f}" + (f", {found[0]:.2f} times {found[1]}" if found else ", no other is right"))
         lines.append(line)
     return table(["scene", "auto took, for a still light", "mismatch %", "gross px", "static, over the best setting",
-                  "moving, over the best setting"], lines)  # fmt: skip
+                  "for a moving light", "moving, over the best setting"], lines)  # fmt: skip
 
 
 def cheapest_table(report, kind):

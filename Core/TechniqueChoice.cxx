@@ -26,6 +26,17 @@ std::string JoinedText(const std::vector<std::string>& parts, const char* last)
   return text;
 }
 
+// All pixels were measured, and a single one is gross.
+bool IsOnePixel(const ErrorPercents& error)
+{
+  return !error.isSampled && error.gross > 0.0 && error.gross * error.pixels < 1.5 * 100.0;
+}
+
+bool IsGross(const ErrorPercents& error, double margin)
+{
+  return !IsOnePixel(error) && margin * error.gross > MostGrossPercent;
+}
+
 bool SoftensBy(const ShadowSetting& setting)
 {
   return setting.technique != "depth-map" || setting.filter == "soft" ||
@@ -135,8 +146,7 @@ Standing StandingOf(const ShadowSetting& setting, const SceneNeeds& scene, const
 ErrorPercents ErrorPercents::Of(const VisibilityError& error, bool isSampled)
 {
   return { error.MismatchPercent(), error.GrossPercent(), 100.0 * error.MeanAbsoluteDifference(),
-    isSampled ? static_cast<double>(error.receiverPixels) : 0.0,
-    100.0 * error.MeanPenumbraDifference() };
+    100.0 * error.MeanPenumbraDifference(), static_cast<double>(error.receiverPixels), isSampled };
 }
 
 //------------------------------------------------------------------------------
@@ -145,11 +155,12 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
   if (budget.maximumError)
   {
     // Of a count of pixels, whose variance is the count.
-    const double percentOfOne = error.sampled > 0.0 && !isSoft ? 100.0 / error.sampled : 0.0;
+    const double percentOfOne =
+      error.isSampled && error.pixels > 0.0 && !isSoft ? 100.0 / error.pixels : 0.0;
     const double figure = error.Figure(isSoft);
     return margin * figure + 2.0 * std::sqrt(figure * percentOfOne) <= *budget.maximumError;
   }
-  if (margin * error.gross > MostGrossPercent)
+  if (IsGross(error, margin))
   {
     return false;
   }
@@ -166,7 +177,7 @@ std::string BudgetText(const ShadowBudget& budget)
 
 std::string ErrorText(const ErrorPercents& error, const ShadowBudget& budget, bool isSoft)
 {
-  const bool isOfGross = !budget.maximumError && error.gross > MostGrossPercent;
+  const bool isOfGross = !budget.maximumError && IsGross(error, 1.0);
   return isOfGross ? NumberText(error.gross) + " % gross"
     : isSoft && !budget.maximumError
     ? NumberText(error.penumbraDifference) + " % mean difference in the penumbra"
@@ -201,7 +212,9 @@ std::string Explain(const Reasons& reasons, const ShadowBudget& budget)
     text += (reasons.isSoft ? NumberText(error.meanDifference) + " % mean difference (" +
                   NumberText(error.penumbraDifference) + " % in the penumbra)"
                             : NumberText(error.mismatch) + " % wrong") +
-      (error.gross > 0.0 ? " and " + NumberText(error.gross) + " % gross" : " and no gross error") +
+      (IsOnePixel(error)      ? " and one gross pixel"
+          : error.gross > 0.0 ? " and " + NumberText(error.gross) + " % gross"
+                              : " and no gross error") +
       " as measured in this view";
   }
   else

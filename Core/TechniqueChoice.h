@@ -86,8 +86,9 @@ struct ErrorPercents
   double mismatch = 0.0;
   double gross = 0.0;
   double meanDifference = 0.0;
-  double sampled = 0.0; // pixels that stand for more of them; 0: every pixel was measured
   double penumbraDifference = 0.0; // mean, of the penumbra's pixels
+  double pixels = 0.0;             // that were measured
+  bool isSampled = false;          // they stand for more of them
 
   bool isOfNothing = false; // no pixel could be measured: the light falls on none in view
 
@@ -103,9 +104,10 @@ struct ErrorPercents
 };
 
 // Without a budget of error: at most one gross pixel in 100 000, which the exact techniques have,
-// too, and no more mismatch than passes for edges, where things are so thin that no pixel is far from
-// one; of a soft light what is hard to see beside the truth: a mean difference over all pixels,
-// and one over those of the penumbra, where few samples show as steps.
+// too, or a single one where every pixel was measured; and no more mismatch than passes for edges,
+// where things are so thin that no pixel is far from one; of a soft light what is hard to see
+// beside the truth: a mean difference over all pixels, and one over those of the penumbra, where
+// few samples show as steps.
 constexpr double MostGrossPercent = 0.001;
 constexpr double MostMismatchPercent = 2.0;
 constexpr double MostSoftDifferencePercent = 1.0;

@@ -112,14 +112,14 @@ public:
    *
    * What is right by construction in a scene (planar shadows where all that receives is flat,
    * shadow volumes where all that casts is triangles, rays) is taken for right for a light without
-   * a radius. The error of depth maps, of textures on planes and of sample lights is measured beside
-   * the frame, at up to a million rays, with 128 of them a pixel for a light with a radius: at the
-   * first frame, and again once view, lights or casters are clearly others. In the first frames what
-   * may be the fastest is drawn a few times each; all of it keeps to the budget of error. In a frame
-   * where lights or casters move another choice may hold. Chosen with a technique are the depth
-   * map's resolution, cascades, filter and LightSamples, planar's LightSamples and PlaneTextures,
-   * and the LightSamples of stencil-volume and ray-cast, as far as they are at their defaults and no
-   * other light names the technique; they are put back once no light is of "auto".
+   * a radius. The error of depth maps, of textures on planes and of sample lights is measured
+   * beside the frame, at up to a million rays, with 128 of them a pixel for a light with a radius:
+   * at the first frame, and again once view, lights or casters are clearly others. In the first
+   * frames what may be the fastest is drawn a few times each; all of it keeps to the budget of
+   * error. In a frame where lights or casters move another choice may hold. Chosen with a technique
+   * are the depth map's resolution, cascades, filter and LightSamples, planar's LightSamples and
+   * PlaneTextures, and the LightSamples of stencil-volume and ray-cast, as far as they are at their
+   * defaults and no other light names the technique; they are put back once no light is of "auto".
    */
   void SetMaximumError(double percent);
   double GetMaximumError() const;
@@ -140,8 +140,8 @@ public:
 
   ///@{
   /**
-   * Draw each frame by what "auto" took for the last one, as long as that is right (default off). For
-   * frames that make one picture together, which must be alike: tiles, samples, a matte
+   * Draw each frame by what "auto" took for the last one, as long as that is right (default off).
+   * For frames that make one picture together, which must be alike: tiles, samples, a matte
    * (vtkShadowMatte turns it on by itself). Trials go on once it is off.
    */
   void SetHoldChoice(bool held);

@@ -139,7 +139,18 @@ TEST(TechniqueChoice, Budgets)
   error.mismatch = 0.4;
   EXPECT_TRUE(vtkshadows::IsWithin({}, error, false, 1.0));
   error.gross = 2.0 * vtkshadows::MostGrossPercent;
+  error.pixels = 1.0e6;
   EXPECT_FALSE(vtkshadows::IsWithin({}, error, false, 1.0));
+  // A single pixel, be the picture small, is none, unless it stands for others.
+  vtkshadows::ErrorPercents one;
+  one.pixels = 2.0e4;
+  one.gross = 100.0 / one.pixels;
+  EXPECT_TRUE(vtkshadows::IsWithin({}, one, false, 1.25));
+  one.isSampled = true;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, one, false, 1.0));
+  one.isSampled = false;
+  one.gross = 2.0 * 100.0 / one.pixels;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, one, false, 1.0));
   // Of thin things every pixel is near to an edge, and none is gross.
   vtkshadows::ErrorPercents thin;
   thin.mismatch = 2.0 * vtkshadows::MostMismatchPercent;
@@ -150,9 +161,10 @@ TEST(TechniqueChoice, Budgets)
   EXPECT_TRUE(vtkshadows::IsWithin(budget, error, false, 1.0)); // gross is not asked for
   EXPECT_FALSE(vtkshadows::IsWithin(budget, error, false, 1.5));
   // 0.4 % of 10 000 are 40 pixels, of which two deviations are 12.6.
-  error.sampled = 1.0e4;
+  error.isSampled = true;
+  error.pixels = 1.0e4;
   EXPECT_FALSE(vtkshadows::IsWithin(budget, error, false, 1.0));
-  error.sampled = 1.0e6;
+  error.pixels = 1.0e6;
   EXPECT_TRUE(vtkshadows::IsWithin(budget, error, false, 1.0));
 
   vtkshadows::ErrorPercents soft;

@@ -5,6 +5,7 @@
 #include "Stage.h"
 #include "Techniques.h"
 
+#include <vtkLight.h>
 #include <vtkRenderPass.h>
 #include <vtkRenderer.h>
 #include <vtkShadowPass.h>
@@ -24,6 +25,7 @@ constexpr int FewestSteadyVisits = 3;
 constexpr int FewestVisits = 5;
 constexpr int MostVisits = 15;
 constexpr int MostFramesOfKind = 5;
+constexpr int FramesOfChoice = 3; // of "auto", at least: it has few visits where it settles slowly
 
 // Shares of the time of a setting: what a visit shall take, about, and how much longer than that
 // time the fewest visits may.
@@ -140,6 +142,7 @@ void BenchEntrant::TimeOnce(double still)
 void BenchEntrant::Visit(const TimingPlan& plan)
 {
   const WorkClock clock;
+  double settling = 0.0;
   const bool chooses = this->run.setting.technique == "auto";
   MovingStage motion(this->stage);
   const auto swing = [&motion]() { motion.SwingCamera(); };
@@ -154,6 +157,14 @@ void BenchEntrant::Visit(const TimingPlan& plan)
       static_cast<int>(std::clamp(VisitShare * plan.seconds / each, 1.0, double(MostFramesOfKind)));
   }
 
+  frames = chooses ? std::max(frames, FramesOfChoice) : frames;
+  const auto settle = [&](const std::function<void()>& move)
+  {
+    const WorkClock own;
+    SettleChoice(this->stage, move);
+    settling += own.Seconds();
+  };
+
   // The first frame after another pass looks its shaders up again; the first of a still light draws
   // what is kept for it.
   TimingRound round;
@@ -163,26 +174,38 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   this->stage.ShowShadows(true);
   if (chooses)
   {
-    SettleChoice(this->stage, swing);
+    settle(swing);
   }
   round.still = TimeFramesOf(this->stage, 2, frames, swing);
   motion.RestCamera();
   this->Show(true);
   if (chooses)
   {
-    SettleChoice(this->stage, circle);
+    settle(circle);
   }
   round.moving = TimeFramesOf(this->stage, 1, frames, circle);
+  if (chooses)
+  {
+    this->row["explanations_moving"] = ExplanationsOf(this->stage);
+  }
   motion.RestLights();
   this->rounds.Add(round);
-  const double taken = clock.Seconds();
-  this->visitSeconds += taken;
-  if (this->rounds.Count() == 1)
-  {
-    this->firstVisitSeconds = taken;
-  }
+  // What it took to settle is of the first visit alone.
+  this->visitSeconds += clock.Seconds() - (this->rounds.Count() == 1 ? settling : 0.0);
 }
 
+//------------------------------------------------------------------------------
+BenchJson ExplanationsOf(Stage& stage)
+{
+  BenchJson explanations = BenchJson::array();
+  for (vtkLight* light : stage.Lights())
+  {
+    explanations.push_back(stage.Shadows()->GetExplanation(light));
+  }
+  return explanations;
+}
+
+//------------------------------------------------------------------------------
 bool BenchEntrant::IsTimed(const TimingPlan& plan) const
 {
   const int count = this->rounds.Count();

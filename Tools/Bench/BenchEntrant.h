@@ -66,10 +66,12 @@ private:
   std::array<vtkSmartPointer<vtkShadowPass>, 2> passes; // the second of "auto" alone
   vtkSmartPointer<vtkRenderPass> peer;
   TimingRounds rounds;
-  double visitSeconds = 0.0;      // as WorkClock counts them, as the following
-  double firstVisitSeconds = 0.0; // which has a frame of each kind, and those that warm up
+  double visitSeconds = 0.0; // as WorkClock counts them, but for what the first settled in
   bool isTimedOnce = false;
 };
+
+// Why "auto" chose what it did in the last frame, a text a light.
+BenchJson ExplanationsOf(Stage& stage);
 
 }
 

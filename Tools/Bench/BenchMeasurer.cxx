@@ -320,13 +320,7 @@ void BenchMeasurer::Prepare(BenchEntrant& entrant)
 BenchJson BenchMeasurer::ExplanationsOfChoice()
 {
   SettleChoice(this->stage, [] {});
-  vtkShadowPass* shadows = this->stage.Shadows();
-  BenchJson explanations = BenchJson::array();
-  for (vtkLight* light : this->stage.Lights())
-  {
-    explanations.push_back(shadows->GetExplanation(light));
-  }
-  return explanations;
+  return ExplanationsOf(this->stage);
 }
 
 BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)
