@@ -5,6 +5,11 @@ import json
 # More than that of the receiver pixels, in percent, is gross error: one pixel in 100 000. A single one is none.
 MOST_GROSS = 1e-3
 
+# Percent of the pixels that may be wrong without a budget, where things are so thin that no pixel is far from an edge.
+MOST_MISMATCH = 2.0
+# Of a soft light, in the mean over all pixels and over those of the penumbra: what auto keeps to without a budget.
+MOST_SOFT_DIFFERENCE, MOST_PENUMBRA_DIFFERENCE = 0.01, 0.04
+
 PEER = "vtk-shadow-map"
 KINDS = ("static", "moving")
 
@@ -49,10 +54,13 @@ def is_gross(row):
 
 
 def is_right(row, most_mismatch=None):
-    """Without gross error, and at most so much mismatch, in percent."""
+    """Without gross error, and at most so much mismatch, in percent; soft, within what is hard to see beside the truth."""
     if is_gross(row):
         return False
-    return most_mismatch is None or worst(row, "mismatch_percent") <= most_mismatch
+    if row["soft"]:
+        return (worst(row, "mean_absolute_difference") <= MOST_SOFT_DIFFERENCE
+                and worst(row, "mean_penumbra_difference") <= MOST_PENUMBRA_DIFFERENCE)  # fmt: skip
+    return worst(row, "mismatch_percent") <= (MOST_MISMATCH if most_mismatch is None else most_mismatch)
 
 
 def cheapest(rows, kind):

@@ -164,8 +164,9 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
   {
     return false;
   }
+  const double penumbraMargin = error.isBySampleLights ? 1.0 : margin;
   return isSoft ? margin * error.meanDifference <= MostSoftDifferencePercent &&
-      margin * error.penumbraDifference <= MostPenumbraDifferencePercent
+      penumbraMargin * error.penumbraDifference <= MostPenumbraDifferencePercent
                 : margin * error.mismatch <= MostMismatchPercent;
 }
 

@@ -89,6 +89,7 @@ struct ErrorPercents
   double penumbraDifference = 0.0; // mean, of the penumbra's pixels
   double pixels = 0.0;             // that were measured
   bool isSampled = false;          // they stand for more of them
+  bool isBySampleLights = false;   // whose number decides about the penumbra, and hardly the view
 
   bool isOfNothing = false; // no pixel could be measured: the light falls on none in view
 
@@ -113,8 +114,8 @@ constexpr double MostMismatchPercent = 2.0;
 constexpr double MostSoftDifferencePercent = 1.0;
 constexpr double MostPenumbraDifferencePercent = 4.0;
 
-// `margin`: times the error that was measured that it may have become, at least 1. What was
-// measured on a sample of pixels has two standard deviations more.
+// `margin`: times the error that was measured that it may have become, at least 1; not of penumbrae
+// by sample lights. What was measured on a sample of pixels has two standard deviations more.
 bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSoft, double margin);
 // "no gross error" or "at most 0.5 % wrong".
 std::string BudgetText(const ShadowBudget& budget);

@@ -7,7 +7,9 @@
 
 #include "vtkCamera.h"
 #include "vtkFrameBufferObjectBase.h"
+#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
@@ -17,6 +19,31 @@ using vtkshadows::NoTechnique;
 using vtkshadows::SceneStage;
 
 vtkStandardNewMacro(vtkShadowFramePass);
+
+namespace
+{
+
+// VTK keeps matrices of a camera, and lights as it sees them, until it is modified. What
+// vtkCamera::DeepCopy does not tell of is told here: else mappers draw what the camera no longer
+// shows, under shadows of what it does.
+void TellOfCopiedCamera(const vtkShadowFrame& frame)
+{
+  auto* camera = vtkOpenGLCamera::SafeDownCast(frame.Renderer->GetActiveCamera());
+  if (!camera)
+  {
+    return;
+  }
+  vtkMatrix4x4 *viewFromWorld, *clipFromView, *clipFromWorld; // transposed
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(frame.Renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  if (glm::transpose(vtkShadowMatrix::ToGlm(viewFromWorld)) != frame.ViewFromWorld ||
+    glm::transpose(vtkShadowMatrix::ToGlm(clipFromView)) != frame.ClipFromView)
+  {
+    camera->Modified();
+  }
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
@@ -42,6 +69,7 @@ vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
   frame.ViewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
   frame.ClipFromView = vtkShadowMatrix::ToGlm(
     camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  TellOfCopiedCamera(frame);
   return frame;
 }
 

@@ -284,9 +284,10 @@ bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting
       const auto found = std::find(indices.begin(), indices.end(), light.Index);
       if (found != indices.end())
       {
-        const auto& error = errors[found - indices.begin()];
-        this->Errors.Keep(
-          setting, light.Now, error ? *error : vtkshadows::ErrorPercents::OfNothing(), cost);
+        vtkshadows::ErrorPercents error =
+          errors[found - indices.begin()].value_or(vtkshadows::ErrorPercents::OfNothing());
+        error.isBySampleLights = setting.IsSampled();
+        this->Errors.Keep(setting, light.Now, error, cost);
       }
     }
   }

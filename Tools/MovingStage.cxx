@@ -2,6 +2,7 @@
 
 #include "Stage.h"
 
+#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkRenderer.h>
 #include <vtkShadowPass.h>
@@ -59,7 +60,9 @@ void MovingStage::SwingCamera()
 
 void MovingStage::RestCamera()
 {
-  this->stage.Renderer()->GetActiveCamera()->DeepCopy(this->camera);
+  vtkCamera* shown = this->stage.Renderer()->GetActiveCamera();
+  shown->DeepCopy(this->camera);
+  shown->Modified(); // which a copy does not tell of
 }
 
 void MovingStage::CircleLights()

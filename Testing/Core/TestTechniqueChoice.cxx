@@ -177,6 +177,13 @@ TEST(TechniqueChoice, Budgets)
   soft.penumbraDifference = 2.0 * vtkshadows::MostPenumbraDifferencePercent;
   EXPECT_FALSE(vtkshadows::IsWithin({}, soft, true, 1.0));
   EXPECT_TRUE(vtkshadows::IsWithin({}, soft, false, 1.0));
+  // What the number of sample lights decides has no margin, other differences have.
+  soft.penumbraDifference = 0.9 * vtkshadows::MostPenumbraDifferencePercent;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, soft, true, 1.25));
+  soft.isBySampleLights = true;
+  EXPECT_TRUE(vtkshadows::IsWithin({}, soft, true, 1.25));
+  soft.penumbraDifference = 1.1 * vtkshadows::MostPenumbraDifferencePercent;
+  EXPECT_FALSE(vtkshadows::IsWithin({}, soft, true, 1.25));
   soft.penumbraDifference = 0.0;
   soft.meanDifference = 2.0 * vtkshadows::MostSoftDifferencePercent;
   EXPECT_FALSE(vtkshadows::IsWithin({}, soft, true, 1.0));

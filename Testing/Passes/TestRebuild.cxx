@@ -2,6 +2,7 @@
 // whatever was kept, the picture is that of a pass that has just been made.
 #include "ShadowTest.h"
 
+#include <vtkCamera.h>
 #include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
@@ -133,6 +134,36 @@ TEST_F(Rebuild, NothingChanged)
   }
   Check("maps built in all", static_cast<double>(this->Maps()), 1.0);
   Check("trees built in all", static_cast<double>(this->Trees()), 1.0);
+}
+
+// vtkCamera::DeepCopy tells nobody: mappers would draw by the matrices that they had, and shadows
+// fall by those that the camera has.
+TEST_F(Rebuild, CopiedCamera)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  vtkNew<vtkCamera> turned;
+  turned->DeepCopy(camera);
+  turned->Azimuth(5.0);
+  for (const std::string technique : { "depth-map", "stencil-volume", "ray-cast" })
+  {
+    if (technique == "ray-cast" && !this->Shadows->GetRayCastShadowPass())
+    {
+      continue;
+    }
+    this->Shadows->SetTechnique(technique);
+    this->Render();
+    vtkNew<vtkCamera> before;
+    before->DeepCopy(camera);
+    camera->DeepCopy(turned);
+    const Frame copied = this->Render();
+    camera->Modified();
+    Check(technique + ": pixels unlike those of a camera that tells",
+      static_cast<double>(CountDifferent(copied, this->Render())), 0.0);
+    camera->DeepCopy(before);
+    camera->Modified();
+    CheckAtLeast(technique + ": pixels unlike the view before",
+      static_cast<double>(CountDifferent(copied, this->Render())), 1000.0);
+  }
 }
 
 TEST_F(Rebuild, ReadingVisibilityBuildsNothing)
