@@ -132,8 +132,9 @@ double ExpectedCost(
                                                     : 0.2;
     // A map costs its texels, beside the window's pixels, and its casters.
     const double texels = static_cast<double>(setting.resolution) * setting.resolution *
-      setting.cascades / std::max(scene.pixels, 1.0e5);
-    const double drawn = isSampled ? samples * (0.3 + millions) : 0.5 + 0.03 * texels + millions;
+      setting.cascades * light.views / std::max(scene.pixels, 1.0e5);
+    const double drawn =
+      isSampled ? samples * light.views * (0.3 + millions) : 0.5 + 0.03 * texels + millions;
     return lookup + 0.1 * (setting.cascades - 1) + (lightsMove ? drawn : 0.003 * texels);
   }
   return setting.technique == "planar"

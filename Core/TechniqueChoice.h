@@ -53,6 +53,7 @@ struct LightNeeds
 {
   bool isSoft = false; // has a radius
   bool isDirectional = false;
+  int views = 1; // that a map of it has, at most: a cube's faces about a light amid its casters
 };
 
 // Whether a setting gives a light its shadows in a scene, and what is known of its error.

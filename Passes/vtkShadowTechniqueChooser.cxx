@@ -24,6 +24,7 @@ const char* const Maps = "depth-map";
 const char* const ExactTechniques[] = { "planar", "stencil-volume", "ray-cast" };
 
 constexpr double ReachOfCascades = 0.3;
+constexpr int FacesOfCube = 6;
 
 // Above this many triangles no tree is built only to measure, unless a budget of error asks for it.
 constexpr double MostTrianglesMeasured = 5.0e6;
@@ -164,6 +165,10 @@ std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::L
       chosen.Source = light.Source;
       chosen.Needs.isSoft = light.Ray.radius > 0.0;
       chosen.Needs.isDirectional = light.Ray.kind == vtkshadows::LightKind::Directional;
+      chosen.Needs.views =
+        light.Ray.kind == vtkshadows::LightKind::Point && DistanceTo(all, light.Ray.position) == 0.0
+        ? FacesOfCube
+        : 1;
       chosen.Now = now;
       chosen.Now.Source = light.Source;
       chosen.Now.Light = light.Ray;

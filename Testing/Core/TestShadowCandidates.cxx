@@ -135,6 +135,12 @@ TEST(ShadowCandidates, WhatIsExpectedToCostMore)
   EXPECT_LT(cost(Map(512, "exact"), true), cost(Map(4096), true));
   EXPECT_LT(cost(Map(2048), false), cost(Sampled("stencil-volume", 0), false));
   EXPECT_LT(cost(Sampled("ray-cast", 8), false, true), cost(Sampled("ray-cast", 16), false, true));
+  // Six views of a lamp amid its casters.
+  LightNeeds amid;
+  amid.views = 6;
+  EXPECT_LT(cost(Map(2048), true), vtkshadows::ExpectedCost(Map(2048), scene, amid, true));
+  EXPECT_EQ(cost(Sampled("stencil-volume", 0), true),
+    vtkshadows::ExpectedCost(Sampled("stencil-volume", 0), scene, amid, true));
   // A light without a radius has one sample, whatever others have.
   EXPECT_EQ(cost(Sampled("ray-cast", 8), false), cost(Sampled("ray-cast", 64), false));
 }

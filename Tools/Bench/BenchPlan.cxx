@@ -202,7 +202,7 @@ TimingPlan BenchTiming(const Options& options)
 {
   TimingPlan timing;
   timing.rounds = options.frames;
-  timing.seconds = options.bench.seconds.value_or(options.bench.fast ? 0.2 : 1.5);
+  timing.seconds = options.bench.seconds.value_or(options.bench.fast ? 0.2 : 1.0);
   return timing;
 }
 
