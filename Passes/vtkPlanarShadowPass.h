@@ -168,6 +168,7 @@ public:
 
   const char* GetTechniqueName() const override { return "planar"; }
   VisibilityForm GetVisibilityForm() const override { return this->PlaneTextures ? LOOKUP : MASK; }
+  bool IsSoftByPixels() const override { return true; }
   vtkIdType GetTextureMemory() const override;
   vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;

@@ -189,21 +189,27 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
   request.Planes =
     vtkPlanarShadowPass::SafeDownCast(this->Find("planar"))->GetMaximumNumberOfPlanes();
   request.IsDrawn = isDrawn;
-  std::optional<MeasuredView> view; // all that is measured in this frame shares it
+  // All that is measured in this frame shares them: a smaller view, and the frame's own.
+  std::optional<MeasuredView> views[2];
   request.MeasureErrors = [&](const std::string& name, const std::vector<int>& measured,
                             std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
   {
+    const bool allDrawn = this->Find(name)->IsSoftByPixels();
+    std::optional<MeasuredView>& view = views[allDrawn ? 1 : 0];
     if (!view)
     {
       view.emplace();
-      this->Reduce(*view, frame, lights);
+      this->Reduce(*view, frame, lights, allDrawn);
     }
     return this->MeasureErrors(*view, plan, name, measured, errors);
   };
   const std::vector<std::string> names = this->Chooser.Choose(request);
-  if (view)
+  for (std::optional<MeasuredView>& view : views)
   {
-    view->Receivers.Release();
+    if (view)
+    {
+      view->Receivers.Release();
+    }
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {

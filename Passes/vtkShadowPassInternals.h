@@ -199,15 +199,17 @@ public:
   void ChooseTechniques(const vtkShadowFrame& frame,
     std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::vector<int>& lights,
     bool isDrawn);
-  // A view that errors are measured in, of fewer pixels than the frame's, and the truth there.
+  // A view that errors are measured in, at fewer pixels than the frame's, and the truth there.
   struct MeasuredView
   {
     vtkShadowFrame Frame;
-    double Scale = 1.0; // its pixels are so many of the frame's along an axis
+    int Size[2] = { 0, 0 }; // pixels that are measured
+    double Scale = 1.0;     // they are so many of the frame's along an axis
     vtkShadowReceiverBuffer Receivers;
     std::map<int, Measured> Truths; // of lights
   };
-  void Reduce(MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights);
+  void Reduce(
+    MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights, bool allDrawn);
   bool MeasureErrors(MeasuredView& view, const std::vector<vtkShadowedShadingPass::LightPlan>& plan,
     const std::string& name, const std::vector<int>& lights,
     std::vector<std::optional<vtkshadows::ErrorPercents>>& errors);

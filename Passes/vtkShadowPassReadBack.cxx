@@ -180,9 +180,10 @@ bool vtkShadowPass::GetVolumeCounts(vtkRenderer* renderer, vtkLight* light, vtkI
 }
 
 //------------------------------------------------------------------------------
-// No more pixels than a part of a second allows.
+// No more pixels than a part of a second allows: of a smaller view, or, `allDrawn`, some of those
+// of the frame's own.
 void vtkShadowPass::Internals::Reduce(
-  MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights)
+  MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights, bool allDrawn)
 {
   double rays = 0.0;
   for (const int i : lights)
@@ -196,10 +197,11 @@ void vtkShadowPass::Internals::Reduce(
   view.Frame = frame;
   for (int axis = 0; axis < 2; ++axis)
   {
-    view.Frame.Size[axis] =
-      std::max(1, static_cast<int>(std::lround(view.Scale * frame.Size[axis])));
+    view.Size[axis] = std::max(1, static_cast<int>(std::lround(view.Scale * frame.Size[axis])));
+    view.Frame.Size[axis] = allDrawn ? frame.Size[axis] : view.Size[axis];
     view.Frame.Origin[axis] = 0;
   }
+  view.Receivers.KeepPixels(view.Size[0], view.Size[1]);
   view.Frame.Receivers = &view.Receivers;
 }
 
@@ -221,9 +223,6 @@ bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
   vtkShadowReceiverBuffer& receivers, int light, int samples, Measured& measured)
 {
 #ifdef VTKSHADOWS_WITH_EMBREE
-  const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
-  measured.Size[0] = frame.Size[0];
-  measured.Size[1] = frame.Size[1];
   const vtkshadows::ShadowLight ray = this->Scene->GetLights()[light].Ray;
   vtkRayCastShadowPass* reference = this->GetRayCast();
   std::vector<float> nearby;
@@ -234,6 +233,9 @@ bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
   {
     return false;
   }
+  measured.Size[0] = receivers.Width();
+  measured.Size[1] = receivers.Height();
+  const std::size_t pixels = measured.Truth.size();
   const glm::dmat4 worldFromView = glm::inverse(frame.ViewFromWorld);
   const double coneCosine = std::cos(glm::radians(ray.coneAngle));
   measured.Roles.assign(pixels, vtkshadows::PixelRole::Background);
@@ -347,8 +349,8 @@ bool vtkShadowPass::Internals::MeasureErrors(MeasuredView& view,
       break;
     }
     vtkshadows::VisibilityImages images;
-    images.width = frame.Size[0];
-    images.height = frame.Size[1];
+    images.width = view.Size[0];
+    images.height = view.Size[1];
     images.visibility = measured.Visibility.data();
     images.truth = measured.Truth.data();
     images.role = measured.Roles.data();

@@ -26,7 +26,38 @@ bool vtkShadowReceiverBuffer::DrawStage(
   frame.Shading->DrawReceivers(frame, static_cast<vtkShadowedShadingPass::Stage>(stage));
   this->Pixels.resize(std::size_t(4) * frame.Size[0] * frame.Size[1]);
   target.ReadColour(this->Pixels.data());
+  this->DropPixels(frame.Size);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowReceiverBuffer::DropPixels(const int drawn[2])
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int most = this->MostKept[axis];
+    this->Kept[axis] = most > 0 ? std::min(most, drawn[axis]) : drawn[axis];
+  }
+  if (this->Kept[0] == drawn[0] && this->Kept[1] == drawn[1])
+  {
+    return;
+  }
+  // Each from the middle of its share, which lies at or behind the place that it moves to.
+  const auto source = [&](int axis, int i)
+  {
+    return (static_cast<std::size_t>(2 * i + 1) * drawn[axis]) /
+      (std::size_t(2) * this->Kept[axis]);
+  };
+  for (int y = 0; y < this->Kept[1]; ++y)
+  {
+    for (int x = 0; x < this->Kept[0]; ++x)
+    {
+      const std::size_t from = source(1, y) * drawn[0] + source(0, x);
+      const std::size_t to = static_cast<std::size_t>(y) * this->Kept[0] + x;
+      std::copy_n(&this->Pixels[4 * from], 4, &this->Pixels[4 * to]);
+    }
+  }
+  this->Pixels.resize(std::size_t(4) * this->Kept[0] * this->Kept[1]);
 }
 
 //------------------------------------------------------------------------------

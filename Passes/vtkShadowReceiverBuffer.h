@@ -22,8 +22,16 @@ public:
   // Draw and read back, unless this frame's is there already. false if the driver cannot.
   bool Draw(const vtkShadowFrame& frame);
 
-  int Width() const { return this->Depth.Width(); }
-  int Height() const { return this->Depth.Height(); }
+  // From the next drawing on, read back only so many of the pixels that are drawn, spread evenly.
+  void KeepPixels(int width, int height)
+  {
+    this->MostKept[0] = width;
+    this->MostKept[1] = height;
+  }
+
+  // Of the pixels that were read back.
+  int Width() const { return this->Kept[0]; }
+  int Height() const { return this->Kept[1]; }
 
   struct Receiver
   {
@@ -68,10 +76,13 @@ public:
 
 private:
   bool DrawStage(const vtkShadowFrame& frame, int stage, const float background[4]);
+  void DropPixels(const int drawn[2]);
 
   vtkShadowTextureArray Depth;
   vtkShadowTextureArray Colour;
-  std::vector<float> Pixels; // RGBA
+  std::vector<float> Pixels;  // RGBA
+  int MostKept[2] = { 0, 0 }; // 0: all
+  int Kept[2] = { 0, 0 };
   bool Drawn = false;
 };
 

@@ -55,6 +55,13 @@ public:
 
   virtual VisibilityForm GetVisibilityForm() const = 0;
 
+  /**
+   * Whether the shadow of a light with a radius is made for the pixels that show it (smoothed from
+   * pixel to pixel, or of as many samples as its penumbra has pixels), so that fewer pixels do not
+   * tell how it looks.
+   */
+  virtual bool IsSoftByPixels() const { return false; }
+
   ///@{
   /**
    * What it keeps from frame to frame, in bytes: the texels of its textures (smaller copies of them

@@ -215,6 +215,7 @@ public:
 
   const char* GetTechniqueName() const override { return "stencil-volume"; }
   VisibilityForm GetVisibilityForm() const override { return MASK; }
+  bool IsSoftByPixels() const override { return this->Smoothing; }
   vtkIdType GetTextureMemory() const override;
   vtkIdType GetCasterMemory() const override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
