@@ -7,7 +7,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <memory>
 
 namespace vtkshadows
 {
@@ -35,6 +37,22 @@ void ForEachBlock(std::size_t count, const Use& use)
       const std::size_t first = block * BlockSize;
       use(block, first, std::min(first + BlockSize, count));
     });
+}
+
+// Atomic counters that start at 0.
+template <typename T>
+std::unique_ptr<std::atomic<T>[]> MakeAtomics(std::size_t count)
+{
+  std::unique_ptr<std::atomic<T>[]> atomics(new std::atomic<T>[count]);
+  ForEachBlock(count,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        atomics[i].store(0, std::memory_order_relaxed);
+      }
+    });
+  return atomics;
 }
 
 }

@@ -11,6 +11,8 @@
 #ifndef vtkshadows_ShadowMesh_h
 #define vtkshadows_ShadowMesh_h
 
+#include "EdgeTable.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -20,59 +22,6 @@
 
 namespace vtkshadows
 {
-
-// A side of a triangle, from corner `half % 3` of triangle `half / 3` to the next corner. Listed
-// with others of its edge it may carry the bit RunsAlike.
-using HalfEdge = std::uint32_t;
-
-// Set on a half-edge that runs the same way as the first one of its edge. Of two neighbours that
-// are wound alike the second runs against the first.
-constexpr HalfEdge RunsAlike = 0x80000000u;
-
-// The undirected edges, by how many triangles meet there.
-struct EdgeTable
-{
-  struct Pair
-  {
-    HalfEdge first;  // plain
-    HalfEdge second; // with or without RunsAlike
-  };
-  std::vector<HalfEdge> borders; // edges of one triangle
-  std::vector<Pair> pairs;       // edges of two
-  // Edges of three and more: fan i is fanSides[fanStarts[i]] up to, not including,
-  // fanSides[fanStarts[i + 1]]. The first of each is plain.
-  std::vector<HalfEdge> fanSides;
-  std::vector<std::uint32_t> fanStarts{ 0 };
-
-  std::size_t NumberOfEdges() const
-  {
-    return this->borders.size() + this->pairs.size() + this->fanStarts.size() - 1;
-  }
-
-  // Calls use(side) for each half-edge of an edge, with or without RunsAlike, in the order of the
-  // triangles that the mesh was made of. Edges are numbered through: borders, pairs, fans.
-  template <typename Use>
-  void ForEachSide(std::size_t edge, const Use& use) const
-  {
-    const std::size_t pairsFrom = this->borders.size(), fansFrom = pairsFrom + this->pairs.size();
-    if (edge < pairsFrom)
-    {
-      use(this->borders[edge]);
-      return;
-    }
-    if (edge < fansFrom)
-    {
-      use(this->pairs[edge - pairsFrom].first);
-      use(this->pairs[edge - pairsFrom].second);
-      return;
-    }
-    const std::size_t fan = edge - fansFrom;
-    for (std::uint32_t i = this->fanStarts[fan]; i < this->fanStarts[fan + 1]; ++i)
-    {
-      use(this->fanSides[i]);
-    }
-  }
-};
 
 // Triangles first .. last-1, which are connected by edges, or are all those that are not closed.
 struct MeshPiece

@@ -6,46 +6,22 @@
 #ifndef vtkshadows_ShadowReach_h
 #define vtkshadows_ShadowReach_h
 
-#include "LightView.h" // for BoxCorners
+#include "SeenBoxes.h"
 
-#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include <array>
+#include <vector>
 
 namespace vtkshadows
 {
 
 glm::dvec4 HomogeneousLight(const ShadowLight& light);
 
-struct Box
-{
-  glm::dvec3 minimum{ 0.0 }, maximum{ 0.0 };
-  bool isEmpty = true;
-  template <typename Points>
-  void Add(const Points& points)
-  {
-    for (const glm::dvec3& p : points)
-    {
-      this->AddPoint(p);
-    }
-  }
-  void AddPoint(const glm::dvec3& p);
-  double Diagonal() const { return glm::distance(this->minimum, this->maximum); }
-  BoxCorners Corners() const;
-  // The box grown on every side.
-  Box Grown(double margin) const;
-  bool Holds(const glm::dvec3& p) const;
-};
-
 // Whether a flat caster, in the plane n.x = d given as (n, d), has every receiver on the light's
 // side of its plane, or on it: then nothing can lie in its shadow. `rounding`: what lies that far
 // beyond the plane may lie on it.
 bool CastsOnNothing(const glm::dvec4& planeWC, const ShadowLight& light,
   const std::vector<BoxCorners>& receivers, double rounding);
-
-// What the eye sees of its near plane.
-std::array<glm::dvec3, 4> NearQuad(const glm::dmat4& clipFromWorld);
 
 // The half-space n.x <= d as (n, d) that holds the caster and all of `kept`, and that every ray
 // from the light through the caster leaves; of six candidates the one that is left soonest. n = 0
@@ -84,46 +60,15 @@ bool ShadowMayReach(const Box& receivers, const glm::dvec4& light, const BoxCorn
 bool LightMayBeSeen(const glm::dmat4& clipFromWorld, const Box& seen, const ShadowLight& light,
   const std::vector<BoxCorners>& casters);
 
-// The corners of what of the boxes lies within the four sides of the view.
-std::vector<glm::dvec3> SeenCorners(
-  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& boxes);
-
-// Whether a place in one of the boxes that lies within the four sides of the eye's view can lie
-// within the four sides of `face`, a view from a light in their midst.
-bool FaceMayBeSeen(
-  const glm::dmat4& clipFromWorld, const std::vector<BoxCorners>& receivers, const LightView& face);
-
 // Whether the eye's near plane, as far as it is seen, can lie in the caster's shadow or cut the
 // caster: then faces of its volume between eye and near plane are missing, if what lies there is
 // clipped (E. Lengyel: The mechanics of robust stencil shadows, Gamasutra 2002).
 bool NearPlaneMayBeShadowed(
   const glm::dmat4& clipFromWorld, const glm::dvec4& light, const BoxCorners& caster);
 
-// Whether the near plane, or the far plane, can cut away a part of the box that the eye would see
-// otherwise.
-bool NearPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box);
-bool FarPlaneMayCut(const glm::dmat4& clipFromWorld, const BoxCorners& box);
-
 // Whether the eye itself can lie in the caster's shadow. An eye is (position, 1), or for a parallel
 // projection (the direction from which it looks, 0): the point at infinity there.
 bool EyeMayBeShadowed(const glm::dvec4& eye, const glm::dvec4& light, const BoxCorners& caster);
-
-// How far before the eye, along its axis, what it sees of the boxes begins and ends, within the
-// near and far plane of its projection; that whole range if it sees none. The tighter, the finer
-// are the steps of a depth buffer.
-struct DepthRange
-{
-  double nearest = 0.0, farthest = 0.0;
-};
-DepthRange SeenDepths(const glm::dmat4& clipFromView, const glm::dmat4& viewFromWorld,
-  const std::vector<BoxCorners>& boxes);
-
-// The same projection with other near and far planes.
-glm::dmat4 WithDepthRange(glm::dmat4 clipFromView, const DepthRange& range);
-
-// With its near plane, and its far plane at infinity (Everitt and Kilgard 2002). Not of a parallel
-// one.
-glm::dmat4 WithInfiniteFarPlane(glm::dmat4 clipFromView);
 
 // Bounds in the viewport, -1 to 1, and in depth, of the caster and its images on the far plane, cut
 // to the view. All of the view if a part lies beside or behind the eye, or the plane is none.

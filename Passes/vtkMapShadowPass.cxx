@@ -2,6 +2,7 @@
 
 #include "vtkMapShadowPassLookup.h"
 #include "vtkMapShadowPassTexels.h"
+#include "vtkShadowChecks.h"
 #include "vtkShadowMapDebugView.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowMatrix.h"
@@ -76,14 +77,9 @@ void vtkMapShadowPass::SetResolution(int resolution)
 //------------------------------------------------------------------------------
 void vtkMapShadowPass::SetNumberOfCascades(int number)
 {
-  if (number < 1 || number > vtkshadows::MostCascades)
-  {
-    vtkErrorMacro("NumberOfCascades " << number << " is out of range: give 1 to "
-                                      << vtkshadows::MostCascades << ". It stays "
-                                      << this->NumberOfCascades << ".");
-    return;
-  }
-  if (number != this->NumberOfCascades)
+  if (!vtkShadowRefusesRange(
+        this, "NumberOfCascades", number, 1, vtkshadows::MostCascades, this->NumberOfCascades) &&
+    number != this->NumberOfCascades)
   {
     this->NumberOfCascades = number;
     this->Modified();
@@ -93,14 +89,9 @@ void vtkMapShadowPass::SetNumberOfCascades(int number)
 //------------------------------------------------------------------------------
 void vtkMapShadowPass::SetCascadeScheme(int scheme)
 {
-  if (scheme < 0 || scheme >= NumberOfSchemes)
-  {
-    vtkErrorMacro("CascadeScheme "
-      << scheme << " is none of vtkMapShadowPass::CascadeSchemeType (0 to " << NumberOfSchemes - 1
-      << "). It stays " << this->CascadeScheme << ".");
-    return;
-  }
-  if (scheme != this->CascadeScheme)
+  if (!vtkShadowRefusesChoice(this, "CascadeScheme", "vtkMapShadowPass::CascadeSchemeType", scheme,
+        NumberOfSchemes, this->CascadeScheme) &&
+    scheme != this->CascadeScheme)
   {
     this->CascadeScheme = scheme;
     this->Modified();
@@ -109,20 +100,9 @@ void vtkMapShadowPass::SetCascadeScheme(int scheme)
 
 void vtkMapShadowPass::SetCascadeScheme(const std::string& name)
 {
-  const auto found = std::find(std::begin(SchemeNames), std::end(SchemeNames), name);
-  if (found == std::end(SchemeNames))
-  {
-    std::string names;
-    for (const char* known : SchemeNames)
-    {
-      names += (names.empty() ? "" : ", ") + std::string(known);
-    }
-    vtkErrorMacro("CascadeScheme \"" << name << "\" is not known: use one of " << names
-                                     << ". It stays \"" << GetCascadeSchemeName(this->CascadeScheme)
-                                     << "\".");
-    return;
-  }
-  this->SetCascadeScheme(static_cast<int>(found - std::begin(SchemeNames)));
+  this->SetCascadeScheme(
+    vtkShadowChoiceOf(this, "CascadeScheme", SchemeNames, name, this->CascadeScheme)
+      .value_or(this->CascadeScheme));
 }
 
 std::string vtkMapShadowPass::GetCascadeSchemeName(int scheme)
@@ -141,16 +121,9 @@ void vtkMapShadowPass::SetCascadeBlend(double blend)
   this->SetShare("CascadeBlend", blend, this->CascadeBlend);
 }
 
-// Written so that NaN is out of range.
 void vtkMapShadowPass::SetShare(const char* name, double share, double& setting)
 {
-  if (!(share >= 0.0 && share <= 1.0))
-  {
-    vtkErrorMacro(<< name << " " << share << " is out of range: give 0 to 1. It stays " << setting
-                  << ".");
-    return;
-  }
-  if (share != setting)
+  if (!vtkShadowRefusesRange(this, name, share, 0.0, 1.0, setting) && share != setting)
   {
     setting = share;
     this->Modified();

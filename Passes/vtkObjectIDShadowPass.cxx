@@ -5,6 +5,7 @@
 #include "vtkObjectIDShadowPassLookup.h"
 #include "vtkObjectIDShadowPassRanges.h"
 #include "vtkObjectIDShadowPassVS.h"
+#include "vtkShadowChecks.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowHiddenFaces.h"
 #include "vtkShadowMapViews.h"
@@ -117,14 +118,9 @@ std::string vtkObjectIDShadowPass::GetObjectTypeName(int type)
 //------------------------------------------------------------------------------
 void vtkObjectIDShadowPass::SetObjectType(int type)
 {
-  if (type < 0 || type >= GetNumberOfObjectTypes())
-  {
-    vtkErrorMacro("ObjectType " << type << " is none of vtkObjectIDShadowPass::ObjectType (0 to "
-                                << GetNumberOfObjectTypes() - 1 << "). It stays "
-                                << this->ObjectType << ".");
-    return;
-  }
-  if (type != this->ObjectType)
+  if (!vtkShadowRefusesChoice(this, "ObjectType", "vtkObjectIDShadowPass::ObjectType", type,
+        GetNumberOfObjectTypes(), this->ObjectType) &&
+    type != this->ObjectType)
   {
     this->ObjectType = type;
     this->ForgetMaps();
@@ -134,20 +130,8 @@ void vtkObjectIDShadowPass::SetObjectType(int type)
 
 void vtkObjectIDShadowPass::SetObjectType(const std::string& name)
 {
-  const auto found = std::find(std::begin(ObjectTypeNames), std::end(ObjectTypeNames), name);
-  if (found == std::end(ObjectTypeNames))
-  {
-    std::string names;
-    for (const char* known : ObjectTypeNames)
-    {
-      names += (names.empty() ? "" : ", ") + std::string(known);
-    }
-    vtkErrorMacro("ObjectType \"" << name << "\" is not known: use one of " << names
-                                  << ". It stays \"" << GetObjectTypeName(this->ObjectType)
-                                  << "\".");
-    return;
-  }
-  this->SetObjectType(static_cast<int>(found - std::begin(ObjectTypeNames)));
+  this->SetObjectType(vtkShadowChoiceOf(this, "ObjectType", ObjectTypeNames, name, this->ObjectType)
+                        .value_or(this->ObjectType));
 }
 
 //------------------------------------------------------------------------------

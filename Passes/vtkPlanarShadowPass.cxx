@@ -1,6 +1,7 @@
 #include "vtkPlanarShadowPassInternals.h"
 
 #include "vtkPlanarShadowPassLookup.h"
+#include "vtkShadowChecks.h"
 
 #include "vtkCamera.h"
 #include "vtkObjectFactory.h"
@@ -51,14 +52,9 @@ void vtkPlanarShadowPass::RemoveAllPlanes()
 //------------------------------------------------------------------------------
 void vtkPlanarShadowPass::SetSoftMethod(int method)
 {
-  if (method < SAMPLE_LIGHTS || method > PLATEAUS)
-  {
-    vtkErrorMacro("SoftMethod " << method
-                                << " is none of vtkPlanarShadowPass::SoftMethodType (0 to "
-                                << PLATEAUS << "). It stays " << this->SoftMethod << ".");
-    return;
-  }
-  if (method != this->SoftMethod)
+  if (!vtkShadowRefusesChoice(this, "SoftMethod", "vtkPlanarShadowPass::SoftMethodType", method,
+        PLATEAUS + 1, this->SoftMethod) &&
+    method != this->SoftMethod)
   {
     this->SoftMethod = method;
     this->Modified();

@@ -397,6 +397,27 @@ private:
   vtkDataArray* Scale;
 };
 
+// The data sets that are leaves of `data`.
+template <typename Use>
+void ForEachDataSet(vtkDataObject* data, const Use& use)
+{
+  if (auto* leaf = vtkDataSet::SafeDownCast(data))
+  {
+    use(leaf);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        use(block);
+      }
+    }
+  }
+}
+
 void AppendGlyphsAt(
   Geometry& out, vtkGlyph3DMapper* mapper, vtkDataSet* points, const glm::dmat4& traceFromModel)
 {
@@ -435,22 +456,8 @@ void AppendGlyphsAt(
 
 void AppendGlyphs(Geometry& out, vtkGlyph3DMapper* mapper, const glm::dmat4& traceFromModel)
 {
-  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  if (auto* points = vtkDataSet::SafeDownCast(input))
-  {
-    AppendGlyphsAt(out, mapper, points, traceFromModel);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    auto it = vtk::TakeSmartPointer(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        AppendGlyphsAt(out, mapper, block, traceFromModel);
-      }
-    }
-  }
+  ForEachDataSet(mapper->GetInputDataObject(0, 0),
+    [&](vtkDataSet* points) { AppendGlyphsAt(out, mapper, points, traceFromModel); });
 }
 
 // How far an impostor reaches from its centre; 0 if the mapper draws none.
@@ -484,27 +491,6 @@ std::string SkippedWhole(const vtkShadowScene::Piece& piece)
     : actor && actor->GetProperty()->GetRepresentation() != VTK_SURFACE
     ? "a wireframe or points representation"
     : "";
-}
-
-// The data sets that are leaves of `data`.
-template <typename Use>
-void ForEachDataSet(vtkDataObject* data, const Use& use)
-{
-  if (auto* leaf = vtkDataSet::SafeDownCast(data))
-  {
-    use(leaf);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto it = vtk::TakeSmartPointer(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        use(block);
-      }
-    }
-  }
 }
 
 bool IsFinite(vtkDataSet* data)
@@ -637,12 +623,22 @@ vtkShadowCasterGeometry::VertexPlace vtkShadowCasterGeometry::PlaceOfVertices(vt
 //------------------------------------------------------------------------------
 std::vector<std::vector<glm::dmat4>> vtkShadowCasterGeometry::InstancesOf(vtkGlyph3DMapper* mapper)
 {
-  auto* points = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  // Of several blocks, a draw of their one source does not tell which.
+  std::vector<vtkDataSet*> blocks;
+  ForEachDataSet(mapper->GetInputDataObject(0, 0),
+    [&blocks](vtkDataSet* block)
+    {
+      if (block->GetNumberOfPoints() > 0)
+      {
+        blocks.push_back(block);
+      }
+    });
   const int count = mapper->GetNumberOfInputConnections(1);
-  if (!points || count < 1 || mapper->GetUseSourceTableTree())
+  if (blocks.size() != 1 || count < 1 || mapper->GetUseSourceTableTree())
   {
     return {};
   }
+  vtkDataSet* const points = blocks.front();
   std::vector<std::vector<glm::dmat4>> instances(count);
   const GlyphPlacer placer(mapper, points);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)

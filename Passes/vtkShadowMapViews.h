@@ -1,5 +1,6 @@
 // The views of the lights of a technique by maps: what each light needs in this frame, in which
 // layer of a texture array each map lies and which are stale, and what the lookup is told of them.
+// How they are fitted to the scene is in a file of its own, vtkShadowMapViewsFit.cxx.
 #ifndef vtkShadowMapViews_h
 #define vtkShadowMapViews_h
 

@@ -3,6 +3,7 @@
 #include "vtkDepthShadowMapPass.h"
 #include "vtkObjectIDShadowPass.h"
 #include "vtkPlanarShadowPass.h"
+#include "vtkShadowChecks.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSeconds.h"
 #include "vtkShadowTexturePass.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 using vtkshadows::AutoTechnique;
@@ -31,6 +33,9 @@ namespace
 
 const std::vector<std::string> DebugViews = { "volumes", "silhouette", "counts", "cascades",
   "texel-density", "map", "lit-part" };
+
+// By TranslucentCastingType.
+const char* const TranslucentCastingNames[] = { "none", "opaque", "stochastic", "transmittance" };
 
 // VTK blends translucent props in a framebuffer of its own, with a copy of the depth, which fails
 // where another pass's framebuffer has depth of another format (vtkSSAAPass's has): they would show
@@ -183,6 +188,11 @@ void vtkShadowPass::SetCullHiddenFaces(bool culled)
 bool vtkShadowPass::GetCullHiddenFaces() const
 {
   return this->Internal->Shading->GetCullHiddenFaces();
+}
+
+bool vtkShadowPass::GetCullingIsSettled() const
+{
+  return !this->Internal->Shading->IsCullingUndecided();
 }
 
 int vtkShadowPass::GetNumberOfCulledReceivers() const
@@ -392,23 +402,38 @@ bool vtkShadowPass::GetHoldChoice() const
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetTranslucentCasting(int how)
 {
-  if (how < TRANSLUCENT_NONE || how > TRANSLUCENT_TRANSMITTANCE)
-  {
-    vtkErrorMacro("TranslucentCasting "
-      << how << " is none of vtkShadowPass::TranslucentCastingType (0 to "
-      << TRANSLUCENT_TRANSMITTANCE << "). It stays " << this->GetTranslucentCasting() << ".");
-    return;
-  }
-  if (how != this->GetTranslucentCasting())
+  const int before = this->GetTranslucentCasting();
+  if (!vtkShadowRefusesChoice(this, "TranslucentCasting", "vtkShadowPass::TranslucentCastingType",
+        how, GetNumberOfTranslucentCastings(), before) &&
+    how != before)
   {
     this->Internal->Scene->SetTranslucentCasting(how);
     this->Modified();
   }
 }
 
+void vtkShadowPass::SetTranslucentCasting(const std::string& name)
+{
+  const int before = this->GetTranslucentCasting();
+  this->SetTranslucentCasting(
+    vtkShadowChoiceOf(this, "TranslucentCasting", TranslucentCastingNames, name, before)
+      .value_or(before));
+}
+
 int vtkShadowPass::GetTranslucentCasting() const
 {
   return this->Internal->Scene->GetTranslucentCasting();
+}
+
+int vtkShadowPass::GetNumberOfTranslucentCastings()
+{
+  return static_cast<int>(std::size(TranslucentCastingNames));
+}
+
+std::string vtkShadowPass::GetTranslucentCastingName(int how)
+{
+  return how >= 0 && how < GetNumberOfTranslucentCastings() ? TranslucentCastingNames[how]
+                                                            : std::string();
 }
 
 //------------------------------------------------------------------------------

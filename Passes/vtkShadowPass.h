@@ -165,11 +165,14 @@ public:
    * surface is proven not to pass through itself and lies beyond the near plane. The proof is made
    * once a shape, in a thread of its own, when a second frame shows it. Not with a delegate pass.
    * GetNumberOfCulledReceivers: of how many actors they were left out in the last frame.
+   * GetCullingIsSettled: whether no proof was being made then that lets later frames leave out
+   * more.
    */
   void SetCullHiddenFaces(bool culled);
   bool GetCullHiddenFaces() const;
   vtkBooleanMacro(CullHiddenFaces, bool);
   int GetNumberOfCulledReceivers() const;
+  bool GetCullingIsSettled() const;
   ///@}
 
   ///@{
@@ -375,7 +378,8 @@ public:
   ///@{
   /**
    * How translucent props cast that have no key CASTS_SHADOWS: one of TranslucentCastingType
-   * (default TRANSLUCENT_NONE). TRANSLUCENT_STOCHASTIC goes for all that cast, and is told by
+   * (default TRANSLUCENT_NONE), or its name: "none", "opaque", "stochastic", "transmittance".
+   * TRANSLUCENT_STOCHASTIC goes for all that cast, and is told by
    * "depth-map" and the other techniques that draw casters: of a prop of the opacity 0.3 three
    * texels in ten cast, in a fixed pattern that a wide filter smooths (screen-door transparency;
    * Enderton et al. 2010). The others, "stencil-volume" and "ray-cast", cast as if it were opaque.
@@ -387,7 +391,10 @@ public:
    * nothing.
    */
   void SetTranslucentCasting(int how);
+  void SetTranslucentCasting(const std::string& name);
   int GetTranslucentCasting() const;
+  static std::string GetTranslucentCastingName(int how);
+  static int GetNumberOfTranslucentCastings();
   ///@}
 
   /**

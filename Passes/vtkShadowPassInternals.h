@@ -217,6 +217,7 @@ public:
     int samples, Measured& measured);
   int SamplesOfTruth();
   void ReleaseWhatWasTried(vtkWindow* window);
+  struct ReadBack;
   bool Begin(const vtkShadowFrame& frame, bool withStrength, bool always);
   void UpdateTechniques(
     const vtkShadowFrame& frame, std::vector<vtkShadowedShadingPass::LightPlan>& plan, bool masks);

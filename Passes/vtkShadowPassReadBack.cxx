@@ -76,6 +76,34 @@ void FillImage(vtkImageData* image, const vtkShadowFrame& frame, const std::vect
 }
 
 //------------------------------------------------------------------------------
+// A frame as it would be drawn, for what is read back outside of one: begun for as long as this
+// lives, unless there is nothing to begin. `always`: also without a light that casts.
+struct vtkShadowPass::Internals::ReadBack
+{
+  ReadBack(Internals& my, vtkRenderer* renderer, bool withStrength, bool always)
+    : My(my)
+    , State(renderer)
+    , Frame(my.FrameOf(this->State.Get()))
+    , IsBegun(my.Begin(this->Frame, withStrength, always))
+  {
+  }
+  ~ReadBack()
+  {
+    if (this->IsBegun)
+    {
+      this->My.End();
+    }
+  }
+  ReadBack(const ReadBack&) = delete;
+  void operator=(const ReadBack&) = delete;
+
+  Internals& My;
+  const StateOfRenderer State;
+  const vtkShadowFrame Frame;
+  const bool IsBegun;
+};
+
+//------------------------------------------------------------------------------
 bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index)
 {
   auto* window =
@@ -121,17 +149,10 @@ bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkIma
   {
     return false;
   }
-  Internals& my = *this->Internal;
-  const StateOfRenderer state(renderer);
-  const vtkShadowFrame frame = my.FrameOf(state.Get());
+  const Internals::ReadBack readBack(*this->Internal, renderer, false, false);
+  const vtkShadowFrame& frame = readBack.Frame;
   std::vector<float> values(static_cast<std::size_t>(frame.Size[0]) * frame.Size[1], 1.0f);
-  bool drawn = true;
-  if (my.Begin(frame, false, false))
-  {
-    drawn = my.Receivers.DrawVisibility(frame, index, values);
-    my.End();
-  }
-  if (!drawn)
+  if (readBack.IsBegun && !this->Internal->Receivers.DrawVisibility(frame, index, values))
   {
     vtkErrorMacro("The driver cannot hold a buffer of "
       << frame.Size[0] << " x " << frame.Size[1]
@@ -156,26 +177,18 @@ bool vtkShadowPass::GetVolumeCounts(vtkRenderer* renderer, vtkLight* light, vtkI
   {
     return false;
   }
-  Internals& my = *this->Internal;
-  const StateOfRenderer state(renderer);
-  const vtkShadowFrame frame = my.FrameOf(state.Get());
+  const Internals::ReadBack readBack(*this->Internal, renderer, false, false);
+  const vtkShadowedShadingPass::LightPlan& entry = this->Internal->Plan[index];
+  auto* volumes = vtkStencilShadowVolumePass::SafeDownCast(entry.Technique);
   std::vector<float> values;
-  bool done = false;
-  if (my.Begin(frame, false, false))
-  {
-    const vtkShadowedShadingPass::LightPlan& entry = my.Plan[index];
-    auto* volumes = vtkStencilShadowVolumePass::SafeDownCast(entry.Technique);
-    done = volumes && volumes->CountAgain(frame, entry.Slot, values);
-    my.End();
-  }
-  if (!done)
+  if (!readBack.IsBegun || !volumes || !volumes->CountAgain(readBack.Frame, entry.Slot, values))
   {
     vtkErrorMacro("Light " << light << " has no volumes to count: its technique is \""
                            << this->GetLightTechnique(light)
                            << "\", or nothing casts. Give it \"stencil-volume\".");
     return false;
   }
-  FillImage(counts, frame, values, "VolumeCounts");
+  FillImage(counts, readBack.Frame, values, "VolumeCounts");
   return true;
 }
 
@@ -282,10 +295,9 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
     return false;
   }
   Internals& my = *this->Internal;
-  const StateOfRenderer state(renderer);
-  const vtkShadowFrame frame = my.FrameOf(state.Get());
-  const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
-  if (!my.Begin(frame, false, true))
+  const Internals::ReadBack readBack(my, renderer, false, true);
+  const vtkShadowFrame& frame = readBack.Frame;
+  if (!readBack.IsBegun)
   {
     vtkErrorMacro("The renderer " << renderer << " has a viewport of " << frame.Size[0] << " x "
                                   << frame.Size[1] << " pixels: nothing to measure. Enlarge it.");
@@ -294,7 +306,6 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
 
   const bool done = my.TraceTruth(frame, my.Receivers, index, my.SamplesOfTruth(), measured) &&
     my.Receivers.DrawVisibility(frame, index, measured.Visibility);
-  my.End();
   if (!done)
   {
     vtkErrorMacro(
@@ -382,12 +393,10 @@ double vtkShadowPass::TimeBareTracing(vtkRenderer* renderer)
     return seconds;
   }
   renderer->GetRenderWindow()->MakeCurrent();
-  const StateOfRenderer state(renderer);
-  const vtkShadowFrame frame = this->Internal->FrameOf(state.Get());
-  if (this->Internal->Begin(frame, true, true))
+  const Internals::ReadBack readBack(*this->Internal, renderer, true, true);
+  if (readBack.IsBegun)
   {
-    seconds = reference->TimeBareTracing(frame);
-    this->Internal->End();
+    seconds = reference->TimeBareTracing(readBack.Frame);
   }
 #endif
   return seconds;

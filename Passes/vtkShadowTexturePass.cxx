@@ -1,6 +1,7 @@
 #include "vtkShadowTexturePass.h"
 
 #include "ShadowReach.h"
+#include "vtkShadowChecks.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowHiddenFaces.h"
 #include "vtkShadowMapViews.h"
@@ -348,14 +349,9 @@ vtkShadowTexturePass::~vtkShadowTexturePass() = default;
 //------------------------------------------------------------------------------
 void vtkShadowTexturePass::SetCasterSelection(int selection)
 {
-  if (selection != BY_FLAG && selection != BY_NEAR_PLANE)
-  {
-    vtkErrorMacro("CasterSelection "
-      << selection << " is none of vtkShadowTexturePass::CasterSelectionType (0 to "
-      << BY_NEAR_PLANE << "). It stays " << this->CasterSelection << ".");
-    return;
-  }
-  if (selection != this->CasterSelection)
+  if (!vtkShadowRefusesChoice(this, "CasterSelection", "vtkShadowTexturePass::CasterSelectionType",
+        selection, BY_NEAR_PLANE + 1, this->CasterSelection) &&
+    selection != this->CasterSelection)
   {
     this->CasterSelection = selection;
     this->Modified();

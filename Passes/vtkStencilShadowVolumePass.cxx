@@ -2,6 +2,7 @@
 
 #include "LightSamples.h"
 #include "ShadowReach.h"
+#include "vtkShadowChecks.h"
 #include "vtkShadowEye.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowVolumeCaster.h"
@@ -145,14 +146,9 @@ vtkStencilShadowVolumePass::~vtkStencilShadowVolumePass() = default;
 //------------------------------------------------------------------------------
 void vtkStencilShadowVolumePass::SetVariant(int variant)
 {
-  if (variant < AUTOMATIC || variant > PARITY)
-  {
-    vtkErrorMacro("Variant " << variant
-                             << " is none of vtkStencilShadowVolumePass::VariantType (0 to "
-                             << PARITY << "). It stays " << this->Variant << ".");
-    return;
-  }
-  if (variant != this->Variant)
+  if (!vtkShadowRefusesChoice(this, "Variant", "vtkStencilShadowVolumePass::VariantType", variant,
+        PARITY + 1, this->Variant) &&
+    variant != this->Variant)
   {
     this->Variant = variant;
     this->Modified();
@@ -162,14 +158,9 @@ void vtkStencilShadowVolumePass::SetVariant(int variant)
 //------------------------------------------------------------------------------
 void vtkStencilShadowVolumePass::SetCounter(int counter)
 {
-  if (counter < AUTOMATIC_COUNTER || counter > FLOAT_COUNTER)
-  {
-    vtkErrorMacro("Counter " << counter
-                             << " is none of vtkStencilShadowVolumePass::CounterType (0 to "
-                             << FLOAT_COUNTER << "). It stays " << this->Counter << ".");
-    return;
-  }
-  if (counter != this->Counter)
+  if (!vtkShadowRefusesChoice(this, "Counter", "vtkStencilShadowVolumePass::CounterType", counter,
+        FLOAT_COUNTER + 1, this->Counter) &&
+    counter != this->Counter)
   {
     this->Counter = counter;
     this->Modified();

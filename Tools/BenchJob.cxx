@@ -9,7 +9,6 @@
 #include "BenchReport.h"
 #include "Display.h"
 #include "Failure.h"
-#include "Measurement.h"
 #include "OutputFiles.h"
 #include "Progress.h"
 #include "SharedSteps.h"
@@ -154,14 +153,14 @@ private:
 
 std::unique_ptr<Stage> OpenStage(const Options& options, Progress& progress)
 {
+  Options prepared = options;
+  prepared.stage.size = BenchWindow(options.bench);
   if (!options.inputs.empty())
   {
-    Options prepared = options;
-    prepared.stage.size = BenchWindow(options.bench);
     return PrepareStage(prepared, progress);
   }
   ProvideDisplay();
-  return std::make_unique<Stage>(BenchWindow(options.bench));
+  return std::make_unique<Stage>(prepared.stage);
 }
 
 void MeasureExtremes(Stage& stage, BenchJournal& journal, Progress& progress)
@@ -234,10 +233,7 @@ void RunBench(const Options& options, Progress& progress)
   MakeFolder(folder / "pictures");
   BenchJournal journal(folder, planKey, options.bench.resume);
   journal.SetMachine(DescribeMachine(*stage));
-  if (!CanMeasureErrors(*stage))
-  {
-    NoteNoErrors(progress);
-  }
+  NoteLimitsOfErrors(*stage, progress);
 
   Agenda agenda(journal, plan);
   if (agenda.Open().size() < plan.size())

@@ -42,6 +42,9 @@ struct RawOptions
   int objectDepthBits = 16;
   int objectTaps = 2;
   bool texturePerCaster = false;
+  std::vector<double> opacities;
+  std::string translucentCasters = "none";
+  bool cullHiddenFaces = false;
   std::optional<double> isovalue;
   std::optional<int> frames;
   std::optional<double> maximumError;
@@ -50,6 +53,27 @@ struct RawOptions
   BenchOptions bench;
   std::optional<std::string> benchSize;
 };
+
+// What every subcommand knows of the meshes and of how their frames are drawn.
+void AddFrameOptions(CLI::App& app, RawOptions& raw)
+{
+  app
+    .add_option("--opacity", raw.opacities,
+      "of the meshes, above 0 to 1: one for all, or one for each in their order; default: 1")
+    ->type_name("A,B,...")
+    ->delimiter(',')
+    ->allow_extra_args(false);
+  app
+    .add_option("--translucent-casters", raw.translucentCasters,
+      "how translucent meshes cast: " + KnownTranslucentCasters() +
+        ". stochastic: by their opacity, in a grain of texels; transmittance: without the grain, "
+        "by depth-map. Rays and shadow volumes take both for opaque")
+    ->type_name("NAME")
+    ->capture_default_str();
+  app.add_flag("--cull-hidden-faces", raw.cullHiddenFaces,
+    "leave out the faces of closed meshes that are turned away from the eye: faster, and single "
+    "pixels on silhouettes differ");
+}
 
 void AddSharedOptions(CLI::App& app, RawOptions& raw)
 {
@@ -121,6 +145,7 @@ void AddSharedOptions(CLI::App& app, RawOptions& raw)
     ->capture_default_str();
   app.add_flag("--texture-per-caster", raw.texturePerCaster,
     "of shadow-texture, a texture for each mesh: casters take the shadows of others");
+  AddFrameOptions(app, raw);
   app
     .add_option("--max-error", raw.maximumError,
       "of --technique auto: percent of the receiver pixels that may be wrong; default: no gross "
@@ -223,6 +248,7 @@ CLI::App* AddBench(CLI::App& app, RawOptions& raw)
     ->add_option("--triangles", bench.triangles,
       "of the scene crowd, 10000 to 50000000; default: 1000000, fast 50000")
     ->type_name("N");
+  AddFrameOptions(*command, raw);
   command->add_option("--statue", bench.statue, "the scan of the scene statue, .off or .ply")
     ->type_name("FILE");
   command->add_option("--volume", bench.volume, "the labels of the scene anatomy, .vti")
@@ -262,6 +288,24 @@ void CheckBudget(const std::string& option, const std::optional<double>& value, 
     throw Failure(option, std::to_string(*value), "is no such budget",
       most < std::numeric_limits<double>::max() ? "give more than 0 and at most 100"
                                                 : "give more than 0");
+  }
+}
+
+void CheckOpacities(const RawOptions& raw)
+{
+  for (const double opacity : raw.opacities)
+  {
+    if (!(opacity > 0.0 && opacity <= 1.0))
+    {
+      throw Failure("--opacity", ToText(opacity), "is no opacity of what is seen",
+        "give more than 0 and at most 1");
+    }
+  }
+  const std::size_t count = raw.opacities.size(), meshes = raw.inputs.size();
+  if (count > 0 && count != meshes && (count > 1 || meshes == 0))
+  {
+    throw Failure("--opacity", std::to_string(count) + " value(s)",
+      "but " + std::to_string(meshes) + " mesh(es)", "give one for all meshes, or one for each");
   }
 }
 
@@ -334,6 +378,11 @@ StageSettings InterpretStage(const RawOptions& raw)
   stage.objectDepthBits = raw.objectDepthBits;
   stage.objectTaps = raw.objectTaps;
   stage.texturePerCaster = raw.texturePerCaster;
+  CheckOpacities(raw);
+  stage.opacities = raw.opacities;
+  RequireTranslucentCasters("--translucent-casters", raw.translucentCasters);
+  stage.translucentCasters = raw.translucentCasters;
+  stage.cullHiddenFaces = raw.cullHiddenFaces;
   return stage;
 }
 

@@ -37,10 +37,7 @@ public:
     , progress(shownProgress)
     , withErrors(CanMeasureErrors(comparedStage))
   {
-    if (!this->withErrors)
-    {
-      NoteNoErrors(this->progress);
-    }
+    NoteLimitsOfErrors(this->stage, this->progress);
   }
 
   void Add(const std::string& technique, OutputFiles& outputs, Report& report)
@@ -48,6 +45,7 @@ public:
     const std::filesystem::path folder = this->options.output;
     this->progress.Begin("rendering " + technique);
     this->stage.UseTechnique(technique);
+    this->stage.SettleCulling();
     this->stage.Window().Render();
     this->stage.SettleChoice();
     outputs.Add(folder / (technique + ".png"), PngOfBytes(this->stage.Picture()));
@@ -63,6 +61,7 @@ public:
       row.technique = technique;
       row.light = static_cast<int>(light);
       row.explanation = this->stage.ExplanationOf(light);
+      row.culledReceivers = this->stage.Shadows()->GetNumberOfCulledReceivers();
       if (this->withErrors)
       {
         MeasuredError measured = MeasureError(this->stage, light);

@@ -50,10 +50,7 @@ Report Measure(Stage& stage, const Options& options, Progress& progress)
   stage.SettleChoice();
   Report report = BeginReport(stage);
   const bool withErrors = CanMeasureErrors(stage);
-  if (!withErrors)
-  {
-    NoteNoErrors(progress);
-  }
+  NoteLimitsOfErrors(stage, progress);
   for (std::size_t light = 0; light < stage.Lights().size(); ++light)
   {
     progress.Begin("measuring the error of light " + std::to_string(light));
@@ -61,6 +58,7 @@ Report Measure(Stage& stage, const Options& options, Progress& progress)
     row.technique = stage.TechniqueOf(light);
     row.light = static_cast<int>(light);
     row.explanation = stage.ExplanationOf(light);
+    row.culledReceivers = stage.Shadows()->GetNumberOfCulledReceivers();
     if (withErrors)
     {
       row.error = MeasureError(stage, light).error;
@@ -88,6 +86,7 @@ void RunRender(const Options& options, Progress& progress)
   progress.Begin("rendering");
   stage->UseTechnique(options.techniques.front());
   stage->ShowDebugView(options.debugView);
+  stage->SettleCulling();
   stage->Window().Render();
   outputs.Add(options.output, PngOfBytes(stage->Picture()));
   std::vector<std::string> explanations; // of the picture

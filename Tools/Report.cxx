@@ -94,6 +94,7 @@ nlohmann::ordered_json ObjectOf(const ReportRow& row, const Report& report)
   put("gross_false_pixels", &LightError::grossFalsePixels);
   put("gross_missed_pixels", &LightError::grossMissedPixels);
   put("mean_absolute_difference", &LightError::meanAbsoluteDifference);
+  object["culled_receivers"] = row.culledReceivers;
   object["frame_ms_unshadowed"] = row.timings.unshadowedMilliseconds;
   object["frame_ms_static"] = row.timings.staticMilliseconds;
   object["frame_ms_moving"] = row.timings.movingMilliseconds;

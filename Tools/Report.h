@@ -31,6 +31,7 @@ struct ReportRow
   int light = 0;                   // from 0, as masks are numbered
   std::string explanation;         // why the light has this technique
   std::optional<LightError> error; // none without Embree
+  int culledReceivers = 0;         // meshes of which hidden faces were left out
   FrameTimings timings;
 };
 

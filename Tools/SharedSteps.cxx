@@ -1,6 +1,7 @@
 #include "SharedSteps.h"
 
 #include "Display.h"
+#include "Measurement.h"
 #include "Progress.h"
 #include "VtkMessages.h"
 
@@ -28,9 +29,20 @@ void NoteVtkWarnings(Progress& progress)
   }
 }
 
-void NoteNoErrors(Progress& progress)
+void NoteLimitsOfErrors(Stage& stage, Progress& progress)
 {
-  progress.Note("note: errors are not measured: this build has no ray cast; build it with Embree");
+  const int how = stage.Shadows()->GetTranslucentCasting();
+  if (!CanMeasureErrors(stage))
+  {
+    progress.Note(
+      "note: errors are not measured: this build has no ray cast; build it with Embree");
+  }
+  else if (how == vtkShadowPass::TRANSLUCENT_STOCHASTIC ||
+    how == vtkShadowPass::TRANSLUCENT_TRANSMITTANCE)
+  {
+    progress.Note("note: rays take translucent casters for opaque, so errors say nothing of their "
+                  "shadows by opacity");
+  }
 }
 
 }

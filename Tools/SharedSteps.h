@@ -17,8 +17,8 @@ std::unique_ptr<Stage> PrepareStage(const Options& options, Progress& progress);
 // VTK's warnings since the last call, each a note to the user.
 void NoteVtkWarnings(Progress& progress);
 
-// The note of a build without the truth to measure against.
-void NoteNoErrors(Progress& progress);
+// What errors that are measured cannot tell, if anything, as a note; or that there are none.
+void NoteLimitsOfErrors(Stage& stage, Progress& progress);
 
 }
 

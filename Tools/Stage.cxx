@@ -58,8 +58,11 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   : shadows(vtkSmartPointer<vtkShadowPass>::New())
   , axes(ChooseAxes(settings.up, settings.camera, meshes))
   , extent(MeasureExtent(meshes, this->axes))
+  , translucentCasters(settings.translucentCasters)
+  , cullHiddenFaces(settings.cullHiddenFaces)
 {
   this->OpenWindow(settings.size);
+  this->GiveFrameSettings(this->shadows);
   this->SetMapResolution(settings.resolution);
   if (settings.cascades)
   {
@@ -77,7 +80,7 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   this->shadows->GetShadowTexturePass()->SetTexturePerCaster(settings.texturePerCaster);
   this->shadows->SetMaximumError(settings.maximumError);
   this->shadows->SetMaximumFrameTime(settings.maximumFrameTime);
-  this->AddMeshes(meshes);
+  this->AddMeshes(meshes, settings.opacities);
   if (settings.floor.kind != FloorSpec::Kind::None)
   {
     this->AddFloor(settings.floor);
@@ -97,10 +100,13 @@ Stage::Stage(const std::vector<Mesh>& meshes, const StageSettings& settings)
   this->ShowShadows(true);
 }
 
-Stage::Stage(const WindowSize& size)
+Stage::Stage(const StageSettings& settings)
   : shadows(vtkSmartPointer<vtkShadowPass>::New())
+  , translucentCasters(settings.translucentCasters)
+  , cullHiddenFaces(settings.cullHiddenFaces)
 {
-  this->OpenWindow(size);
+  this->OpenWindow(settings.size);
+  this->GiveFrameSettings(this->shadows);
   this->renderer->AutomaticLightCreationOff();
   this->ShowShadows(true);
 }
@@ -158,6 +164,7 @@ SceneFacts Stage::ShowScene(const std::string& name, SceneSize size)
 vtkSmartPointer<vtkShadowPass> Stage::MakeShadows(bool soft)
 {
   auto pass = vtkSmartPointer<vtkShadowPass>::New();
+  this->GiveFrameSettings(pass);
   for (std::size_t light = 0; light < this->lights.size(); ++light)
   {
     this->GiveLightSettings(pass, light, soft);
@@ -217,7 +224,7 @@ void Stage::SetLightSamples(std::optional<int> samples)
   }
 }
 
-void Stage::AddMeshes(const std::vector<Mesh>& meshes)
+void Stage::AddMeshes(const std::vector<Mesh>& meshes, const std::vector<double>& opacities)
 {
   const std::size_t colors = sizeof(MeshColors) / sizeof(MeshColors[0]);
   for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -228,6 +235,10 @@ void Stage::AddMeshes(const std::vector<Mesh>& meshes)
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     AddActor(this->renderer, actor, MeshColors[i % colors]);
+    if (!opacities.empty())
+    {
+      actor->GetProperty()->SetOpacity(opacities[i % opacities.size()]);
+    }
     this->numberOfTriangles += meshes[i].triangles->GetNumberOfPolys();
   }
 }
@@ -285,6 +296,12 @@ void Stage::AddLight(const LightSpec& spec)
   this->lights.push_back(light);
   this->lightSpecs.push_back(spec);
   this->GiveLightSettings(this->shadows, this->lights.size() - 1, true);
+}
+
+void Stage::GiveFrameSettings(vtkShadowPass* pass) const
+{
+  pass->SetTranslucentCasting(this->translucentCasters);
+  pass->SetCullHiddenFaces(this->cullHiddenFaces);
 }
 
 void Stage::GiveLightSettings(vtkShadowPass* pass, std::size_t index, bool soft)
@@ -353,6 +370,15 @@ void Stage::SettleChoice()
       this->window.Render(); // by what was chosen
       return;
     }
+  }
+}
+
+// A shape is looked at in its second frame, and what is found of it is left out in the next.
+void Stage::SettleCulling()
+{
+  for (int i = 0; this->cullHiddenFaces && (i < 2 || !this->shadows->GetCullingIsSettled()); ++i)
+  {
+    this->window.Render();
   }
 }
 

@@ -43,6 +43,9 @@ struct StageSettings
   int objectDepthBits = 16;
   int objectTaps = 2;
   bool texturePerCaster = false; // of shadow textures
+  std::vector<double> opacities; // of the meshes: none, one for all, or one each
+  std::string translucentCasters = "none";
+  bool cullHiddenFaces = false;
   double maximumError = 0.0;     // of "auto", percent; 0: no gross error
   double maximumFrameTime = 0.0; // of "auto", milliseconds; 0: any
 };
@@ -53,7 +56,7 @@ public:
   // Opens the window; one Stage a process. Throws Failure if it cannot be opened or is too large.
   Stage(const std::vector<Mesh>& meshes, const StageSettings& settings);
   // The same, with nothing in it.
-  explicit Stage(const WindowSize& size);
+  explicit Stage(const StageSettings& settings);
   ~Stage();
 
   // In place of what it has: a scene of the registry, for the window's size. Throws Failure.
@@ -62,8 +65,8 @@ public:
   // Another size of the window. Throws Failure if it is too large.
   void Resize(const WindowSize& size);
 
-  // A shadow pass with every setting as it is made, but for what the lights were given; and of
-  // their radii if they are to be soft.
+  // A shadow pass with every setting as it is made, but for what the lights were given, how
+  // translucent meshes cast and what the eye cannot see; and of the radii if lights are to be soft.
   vtkSmartPointer<vtkShadowPass> MakeShadows(bool soft);
   // In place of the one there was, which keeps what it has on the GPU.
   void UseShadows(vtkShadowPass* pass);
@@ -86,6 +89,8 @@ public:
   bool IsChosen(); // some light has "auto"
   // Renders until what is chosen is settled, if anything is.
   void SettleChoice();
+  // Renders until it is known what of the meshes the eye cannot see, if that is to be left out.
+  void SettleCulling();
   // Why a light has what it had in the last frame.
   std::string ExplanationOf(std::size_t light);
 
@@ -103,10 +108,11 @@ public:
 private:
   void SetMapResolution(std::optional<int> resolution);
   void SetLightSamples(std::optional<int> samples);
-  void AddMeshes(const std::vector<Mesh>& meshes);
+  void AddMeshes(const std::vector<Mesh>& meshes, const std::vector<double>& opacities);
   void AddFloor(const FloorSpec& floor);
   void OpenWindow(const WindowSize& size);
   void AddLight(const LightSpec& spec);
+  void GiveFrameSettings(vtkShadowPass* pass) const;
   void GiveLightSettings(vtkShadowPass* pass, std::size_t light, bool soft);
   void PlaceCamera(const CameraSpec& spec);
 
@@ -120,6 +126,8 @@ private:
   SceneAxes axes;
   SceneExtent extent;
   vtkIdType numberOfTriangles = 0;
+  std::string translucentCasters;
+  bool cullHiddenFaces;
   bool catches = false;
 };
 

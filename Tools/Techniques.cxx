@@ -47,24 +47,33 @@ void Require(const std::vector<std::string>& names, const std::string& option,
   }
 }
 
-std::vector<std::string> FilterNames()
+// The names of 0, 1, ...
+template <typename NameOf>
+std::vector<std::string> NamesOf(int count, const NameOf& nameOf)
 {
   std::vector<std::string> names;
-  for (int filter = 0; filter < vtkDepthShadowMapPass::GetNumberOfFilters(); ++filter)
+  for (int i = 0; i < count; ++i)
   {
-    names.push_back(vtkDepthShadowMapPass::GetFilterName(filter));
+    names.push_back(nameOf(i));
   }
   return names;
 }
 
+std::vector<std::string> FilterNames()
+{
+  return NamesOf(vtkDepthShadowMapPass::GetNumberOfFilters(), vtkDepthShadowMapPass::GetFilterName);
+}
+
 std::vector<std::string> ObjectTypeNames()
 {
-  std::vector<std::string> names;
-  for (int type = 0; type < vtkObjectIDShadowPass::GetNumberOfObjectTypes(); ++type)
-  {
-    names.push_back(vtkObjectIDShadowPass::GetObjectTypeName(type));
-  }
-  return names;
+  return NamesOf(
+    vtkObjectIDShadowPass::GetNumberOfObjectTypes(), vtkObjectIDShadowPass::GetObjectTypeName);
+}
+
+std::vector<std::string> TranslucentCasterNames()
+{
+  return NamesOf(
+    vtkShadowPass::GetNumberOfTranslucentCastings(), vtkShadowPass::GetTranslucentCastingName);
 }
 
 void RequireBits(const std::string& option, int bits)
@@ -131,6 +140,16 @@ void RequireObjectType(const std::string& option, const std::string& name)
 void RequireObjectDepthBits(const std::string& option, int bits)
 {
   RequireBits(option, bits);
+}
+
+std::string KnownTranslucentCasters()
+{
+  return ListOf(TranslucentCasterNames());
+}
+
+void RequireTranslucentCasters(const std::string& option, const std::string& name)
+{
+  Require(TranslucentCasterNames(), option, name, "is no way in which translucent meshes cast");
 }
 
 std::string KnownDebugViews()

@@ -27,6 +27,10 @@ std::string KnownObjectTypes();
 void RequireObjectType(const std::string& option, const std::string& name);
 void RequireObjectDepthBits(const std::string& option, int bits);
 
+// The same of how translucent meshes cast.
+std::string KnownTranslucentCasters();
+void RequireTranslucentCasters(const std::string& option, const std::string& name);
+
 // The same of the views that explain, and the techniques that a view explains.
 std::string KnownDebugViews();
 std::vector<std::string> TechniquesExplainedBy(const std::string& view);

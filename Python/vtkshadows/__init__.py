@@ -179,6 +179,9 @@ def enable(
     translucent_casters : how translucent props cast: "none" (default), "opaque", "stochastic": by their
         opacity, in a grain that wide filters smooth, or "transmittance": the same without grain, by
         "depth-map"; see vtkShadowPass::SetTranslucentCasting.
+    cull_hidden_faces : leave out the faces of closed, opaque actors that are turned away from the eye
+        (False): a frame needs less time, and single pixels on silhouettes differ; see
+        vtkShadowPass::SetCullHiddenFaces.
     radius : 0 or more (0): size of every light that the renderer has now. planar, shadow-texture,
         stencil-volume, ray-cast and the filters "soft" and "sample-lights" of depth-map soften by it. World
         units; for a directional light the tangent of its half-angle.

@@ -15,76 +15,37 @@ from .vtkShadowsPasses import (
 )
 
 
-def ray_cast(shadows: vtkShadowPass) -> Any:
-    technique = shadows.GetRayCastShadowPass()
-    if technique is None:
-        raise RuntimeError(
-            "this build has no ray-cast technique; configure it with -DVTKSHADOWS_WITH_EMBREE=ON"
-        )
-    return technique
+@dataclass(frozen=True)
+class Setting:
+    check: Any  # (name, value) -> what apply takes
+    apply: Any  # (shadows, renderer, value)
 
 
-def set_resolution(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetResolution(value)
-    shadows.GetObjectIDShadowPass().SetResolution(value)
-    shadows.GetShadowTexturePass().SetResolution(value)
+# Checks.
 
 
-OBJECT_TYPES = {
-    "prop": vtkObjectIDShadowPass.PROP,
-    "block": vtkObjectIDShadowPass.BLOCK,
-    "instance": vtkObjectIDShadowPass.INSTANCE,
-    "piece": vtkObjectIDShadowPass.PIECE,
-}
+def whole_number(low, high=2**31 - 1):
+    return lambda name, value: _checks.whole_number(name, value, low, high)
 
 
-def set_object_type(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetObjectType(OBJECT_TYPES[value])
+def number(low, high=float("inf")):
+    return lambda name, value: _checks.number(name, value, low, high)
 
 
-def set_object_depth(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetCombineDepth(value)
+def one_of(values):
+    """A name, to the value that VTK has for it."""
+    return lambda name, value: values[_checks.one_of(name, value, values)]
 
 
-def set_object_depth_bits(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetDepthBits(value)
-
-
-def set_object_taps(shadows, renderer, value):
-    shadows.GetObjectIDShadowPass().SetTaps(value)
-
-
-def set_cascades(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetNumberOfCascades(value)
-    shadows.GetObjectIDShadowPass().SetNumberOfCascades(value)
-
-
-FILTERS = {
-    vtkDepthShadowMapPass.GetFilterName(each): each
-    for each in range(vtkDepthShadowMapPass.GetNumberOfFilters())
-}
-
-
-def set_filter(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetFilter(FILTERS[value])
-
-
-def set_filter_radius(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetFilterRadius(value)
-
-
-def set_filter_taps(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetFilterTaps(value)
+def names(name_of, count):
+    """The names that VTK has for 0, 1, ..."""
+    return {name_of(value): value for value in range(count)}
 
 
 def depth_bits(name, value):
     if value not in (8, 16, 24, 32):
         raise ValueError(f"{name}: {value!r} is no format of a depth map; give 8, 16, 24 or 32")
     return int(value)
-
-
-def set_depth_bits(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetDepthBits(value)
 
 
 def bias(name, value):
@@ -95,97 +56,6 @@ def bias(name, value):
     except (TypeError, ValueError):
         raise ValueError(f"{name}: {value!r} is neither 'automatic' nor (constant, slope)") from None
     return tuple(_checks.number(name, _checks.finite(name, each), -1e9, 1e9) for each in (constant, slope))
-
-
-def set_bias(shadows, renderer, value):
-    maps = shadows.GetDepthShadowMapPass()
-    if value == "automatic":
-        maps.SetBiasMode(vtkDepthShadowMapPass.AUTOMATIC_BIAS)
-    else:
-        maps.SetBiasMode(vtkDepthShadowMapPass.MANUAL_BIAS)
-        maps.SetConstantBias(value[0])
-        maps.SetSlopeBias(value[1])
-
-
-BEYOND = {
-    "lit": vtkDepthShadowMapPass.LIT_BEYOND,
-    "repeat": vtkDepthShadowMapPass.REPEAT_BEYOND,
-    "clamp": vtkDepthShadowMapPass.CLAMP_BEYOND,
-}
-
-
-def set_beyond(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetBeyond(BEYOND[value])
-
-
-def set_light_samples(shadows, renderer, value):
-    shadows.GetDepthShadowMapPass().SetLightSamples(min(value, 256))
-    shadows.GetPlanarShadowPass().SetLightSamples(value)
-    shadows.GetStencilShadowVolumePass().SetLightSamples(value)
-    if shadows.GetRayCastShadowPass() is not None:
-        shadows.GetRayCastShadowPass().SetLightSamples(value)
-
-
-def set_epsilon_scale(shadows, renderer, value):
-    ray_cast(shadows).SetEpsilonScale(value)
-
-
-VARIANTS = {
-    "automatic": vtkStencilShadowVolumePass.AUTOMATIC,
-    "z-fail": vtkStencilShadowVolumePass.Z_FAIL,
-    "z-pass": vtkStencilShadowVolumePass.Z_PASS,
-    "z-pass-capped": vtkStencilShadowVolumePass.Z_PASS_CAPPED,
-    "parity": vtkStencilShadowVolumePass.PARITY,
-}
-
-
-def set_variant(shadows, renderer, value):
-    shadows.GetStencilShadowVolumePass().SetVariant(VARIANTS[value])
-
-
-COUNTERS = {
-    "automatic": vtkStencilShadowVolumePass.AUTOMATIC_COUNTER,
-    "wrapping-stencil": vtkStencilShadowVolumePass.WRAPPING_STENCIL,
-    "float": vtkStencilShadowVolumePass.FLOAT_COUNTER,
-}
-
-
-def set_counter(shadows, renderer, value):
-    shadows.GetStencilShadowVolumePass().SetCounter(COUNTERS[value])
-
-
-def set_smoothing(shadows, renderer, value):
-    shadows.GetStencilShadowVolumePass().SetSmoothing(value)
-
-
-SOFT_METHODS = {
-    "sample-lights": vtkPlanarShadowPass.SAMPLE_LIGHTS,
-    "offset-planes": vtkPlanarShadowPass.OFFSET_PLANES,
-    "plateaus": vtkPlanarShadowPass.PLATEAUS,
-}
-
-
-def set_soft_method(shadows, renderer, value):
-    shadows.GetPlanarShadowPass().SetSoftMethod(SOFT_METHODS[value])
-
-
-def set_plane_textures(shadows, renderer, value):
-    shadows.GetPlanarShadowPass().SetPlaneTextures(value)
-
-
-def set_texture_resolution(shadows, renderer, value):
-    shadows.GetPlanarShadowPass().SetTextureResolution(value)
-
-
-def set_texture_per_caster(shadows, renderer, value):
-    shadows.GetShadowTexturePass().SetTexturePerCaster(value)
-
-
-def set_near_plane(shadows, renderer, value):
-    textures = shadows.GetShadowTexturePass()
-    if value > 0:
-        textures.SetNearPlane(value)
-    textures.SetCasterSelection(textures.BY_NEAR_PLANE if value > 0 else textures.BY_FLAG)
 
 
 def planes(name, value):
@@ -199,6 +69,77 @@ def planes(name, value):
     return planes
 
 
+def debug_view(name, value):
+    return _checks.one_of(name, value, debug_views())
+
+
+def debug_views() -> List[str]:
+    return _find.names_from(vtkShadowPass.GetDebugViewNames)
+
+
+# Where they go.
+
+DEPTH_MAP = vtkShadowPass.GetDepthShadowMapPass
+OBJECT_ID = vtkShadowPass.GetObjectIDShadowPass
+PLANAR = vtkShadowPass.GetPlanarShadowPass
+SHADOW_TEXTURE = vtkShadowPass.GetShadowTexturePass
+STENCIL_VOLUME = vtkShadowPass.GetStencilShadowVolumePass
+
+
+def ray_cast(shadows: vtkShadowPass) -> Any:
+    technique = shadows.GetRayCastShadowPass()
+    if technique is None:
+        raise RuntimeError(
+            "this build has no ray-cast technique; configure it with -DVTKSHADOWS_WITH_EMBREE=ON"
+        )
+    return technique
+
+
+def of(method, *techniques):
+    """By a method of the pass, or of its passes for those techniques."""
+
+    def apply(shadows, renderer, value):
+        for each in [technique(shadows) for technique in techniques] or [shadows]:
+            getattr(each, method)(value)
+
+    return apply
+
+
+def of_lights(method):
+    """By a method of the pass, for every light that the renderer has now."""
+
+    def apply(shadows, renderer, value):
+        for light in renderer.GetLights():
+            getattr(shadows, method)(light, value)
+
+    return apply
+
+
+def set_bias(shadows, renderer, value):
+    maps = shadows.GetDepthShadowMapPass()
+    if value == "automatic":
+        maps.SetBiasMode(vtkDepthShadowMapPass.AUTOMATIC_BIAS)
+    else:
+        maps.SetBiasMode(vtkDepthShadowMapPass.MANUAL_BIAS)
+        maps.SetConstantBias(value[0])
+        maps.SetSlopeBias(value[1])
+
+
+def set_light_samples(shadows, renderer, value):
+    shadows.GetDepthShadowMapPass().SetLightSamples(min(value, 256))
+    shadows.GetPlanarShadowPass().SetLightSamples(value)
+    shadows.GetStencilShadowVolumePass().SetLightSamples(value)
+    if shadows.GetRayCastShadowPass() is not None:
+        shadows.GetRayCastShadowPass().SetLightSamples(value)
+
+
+def set_near_plane(shadows, renderer, value):
+    textures = shadows.GetShadowTexturePass()
+    if value > 0:
+        textures.SetNearPlane(value)
+    textures.SetCasterSelection(textures.BY_NEAR_PLANE if value > 0 else textures.BY_FLAG)
+
+
 def set_planes(shadows, renderer, value):
     planar = shadows.GetPlanarShadowPass()
     planar.RemoveAllPlanes()
@@ -206,94 +147,67 @@ def set_planes(shadows, renderer, value):
         planar.AddPlane(*plane)
 
 
-def debug_views() -> List[str]:
-    return _find.names_from(vtkShadowPass.GetDebugViewNames)
-
-
-def set_debug_view(shadows, renderer, value):
-    shadows.SetDebugView(value)
-
-
-def set_maximum_error(shadows, renderer, value):
-    shadows.SetMaximumError(value)
-
-
-def set_maximum_frame_time(shadows, renderer, value):
-    shadows.SetMaximumFrameTime(value)
-
-
-def set_strength(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightStrength(light, value)
-
-
-def set_maximum_distance(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightMaximumDistance(light, value)
-
-
-def set_fade(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightFade(light, value)
-
-
-TRANSLUCENT_CASTERS = {
-    "none": vtkShadowPass.TRANSLUCENT_NONE,
-    "opaque": vtkShadowPass.TRANSLUCENT_OPAQUE,
-    "stochastic": vtkShadowPass.TRANSLUCENT_STOCHASTIC,
-    "transmittance": vtkShadowPass.TRANSLUCENT_TRANSMITTANCE,
+OBJECT_TYPES = names(vtkObjectIDShadowPass.GetObjectTypeName, vtkObjectIDShadowPass.GetNumberOfObjectTypes())
+FILTERS = names(vtkDepthShadowMapPass.GetFilterName, vtkDepthShadowMapPass.GetNumberOfFilters())
+TRANSLUCENT_CASTERS = names(
+    vtkShadowPass.GetTranslucentCastingName, vtkShadowPass.GetNumberOfTranslucentCastings()
+)
+BEYOND = {
+    "lit": vtkDepthShadowMapPass.LIT_BEYOND,
+    "repeat": vtkDepthShadowMapPass.REPEAT_BEYOND,
+    "clamp": vtkDepthShadowMapPass.CLAMP_BEYOND,
+}
+VARIANTS = {
+    "automatic": vtkStencilShadowVolumePass.AUTOMATIC,
+    "z-fail": vtkStencilShadowVolumePass.Z_FAIL,
+    "z-pass": vtkStencilShadowVolumePass.Z_PASS,
+    "z-pass-capped": vtkStencilShadowVolumePass.Z_PASS_CAPPED,
+    "parity": vtkStencilShadowVolumePass.PARITY,
+}
+COUNTERS = {
+    "automatic": vtkStencilShadowVolumePass.AUTOMATIC_COUNTER,
+    "wrapping-stencil": vtkStencilShadowVolumePass.WRAPPING_STENCIL,
+    "float": vtkStencilShadowVolumePass.FLOAT_COUNTER,
+}
+SOFT_METHODS = {
+    "sample-lights": vtkPlanarShadowPass.SAMPLE_LIGHTS,
+    "offset-planes": vtkPlanarShadowPass.OFFSET_PLANES,
+    "plateaus": vtkPlanarShadowPass.PLATEAUS,
 }
 
-
-def set_translucent_casters(shadows, renderer, value):
-    shadows.SetTranslucentCasting(TRANSLUCENT_CASTERS[value])
-
-
-def set_radius(shadows, renderer, value):
-    for light in renderer.GetLights():
-        shadows.SetLightRadius(light, value)
-
-
-@dataclass(frozen=True)
-class Setting:
-    check: Any  # (name, value) -> value
-    apply: Any  # (shadows, renderer, value)
-
-
 SETTINGS = {
-    "resolution": Setting(lambda n, v: _checks.whole_number(n, v, 1, 2**31 - 1), set_resolution),
-    "object_type": Setting(lambda n, v: _checks.one_of(n, v, OBJECT_TYPES), set_object_type),
-    "object_depth": Setting(_checks.flag, set_object_depth),
-    "object_depth_bits": Setting(depth_bits, set_object_depth_bits),
-    "object_taps": Setting(lambda n, v: _checks.whole_number(n, v, 1, 4), set_object_taps),
-    "cascades": Setting(lambda n, v: _checks.whole_number(n, v, 1, 8), set_cascades),
-    "filter": Setting(lambda n, v: _checks.one_of(n, v, FILTERS), set_filter),
-    "filter_radius": Setting(lambda n, v: _checks.number(n, v, 0.5, 64), set_filter_radius),
-    "filter_taps": Setting(lambda n, v: _checks.whole_number(n, v, 1, 256), set_filter_taps),
-    "depth_bits": Setting(depth_bits, set_depth_bits),
+    "resolution": Setting(whole_number(1), of("SetResolution", DEPTH_MAP, OBJECT_ID, SHADOW_TEXTURE)),
+    "object_type": Setting(one_of(OBJECT_TYPES), of("SetObjectType", OBJECT_ID)),
+    "object_depth": Setting(_checks.flag, of("SetCombineDepth", OBJECT_ID)),
+    "object_depth_bits": Setting(depth_bits, of("SetDepthBits", OBJECT_ID)),
+    "object_taps": Setting(whole_number(1, 4), of("SetTaps", OBJECT_ID)),
+    "cascades": Setting(whole_number(1, 8), of("SetNumberOfCascades", DEPTH_MAP, OBJECT_ID)),
+    "filter": Setting(one_of(FILTERS), of("SetFilter", DEPTH_MAP)),
+    "filter_radius": Setting(number(0.5, 64), of("SetFilterRadius", DEPTH_MAP)),
+    "filter_taps": Setting(whole_number(1, 256), of("SetFilterTaps", DEPTH_MAP)),
+    "depth_bits": Setting(depth_bits, of("SetDepthBits", DEPTH_MAP)),
     "bias": Setting(bias, set_bias),
-    "beyond": Setting(lambda n, v: _checks.one_of(n, v, BEYOND), set_beyond),
-    "light_samples": Setting(lambda n, v: _checks.whole_number(n, v, 1, 4096), set_light_samples),
-    "epsilon_scale": Setting(lambda n, v: _checks.number(n, v, 1e-3, 1e6), set_epsilon_scale),
-    "variant": Setting(lambda n, v: _checks.one_of(n, v, VARIANTS), set_variant),
-    "counter": Setting(lambda n, v: _checks.one_of(n, v, COUNTERS), set_counter),
-    "smoothing": Setting(_checks.flag, set_smoothing),
+    "beyond": Setting(one_of(BEYOND), of("SetBeyond", DEPTH_MAP)),
+    "light_samples": Setting(whole_number(1, 4096), set_light_samples),
+    "epsilon_scale": Setting(number(1e-3, 1e6), of("SetEpsilonScale", ray_cast)),
+    "variant": Setting(one_of(VARIANTS), of("SetVariant", STENCIL_VOLUME)),
+    "counter": Setting(one_of(COUNTERS), of("SetCounter", STENCIL_VOLUME)),
+    "smoothing": Setting(_checks.flag, of("SetSmoothing", STENCIL_VOLUME)),
     "planes": Setting(planes, set_planes),
-    "plane_textures": Setting(_checks.flag, set_plane_textures),
-    "texture_resolution": Setting(
-        lambda n, v: _checks.whole_number(n, v, 1, 2**31 - 1), set_texture_resolution
-    ),
-    "texture_per_caster": Setting(_checks.flag, set_texture_per_caster),
-    "near_plane": Setting(lambda n, v: _checks.number(n, v, 0), set_near_plane),
-    "soft_method": Setting(lambda n, v: _checks.one_of(n, v, SOFT_METHODS), set_soft_method),
-    "debug_view": Setting(lambda n, v: _checks.one_of(n, v, debug_views()), set_debug_view),
-    "maximum_error": Setting(lambda n, v: _checks.number(n, v, 0, 100), set_maximum_error),
-    "maximum_frame_time": Setting(lambda n, v: _checks.number(n, v, 0), set_maximum_frame_time),
-    "strength": Setting(lambda n, v: _checks.number(n, v, 0, 1), set_strength),
-    "radius": Setting(lambda n, v: _checks.number(n, v, 0), set_radius),
-    "maximum_distance": Setting(lambda n, v: _checks.number(n, v, 0), set_maximum_distance),
-    "fade": Setting(lambda n, v: _checks.number(n, v, 0, 1), set_fade),
-    "translucent_casters": Setting(lambda n, v: _checks.one_of(n, v, TRANSLUCENT_CASTERS), set_translucent_casters),
+    "plane_textures": Setting(_checks.flag, of("SetPlaneTextures", PLANAR)),
+    "texture_resolution": Setting(whole_number(1), of("SetTextureResolution", PLANAR)),
+    "texture_per_caster": Setting(_checks.flag, of("SetTexturePerCaster", SHADOW_TEXTURE)),
+    "near_plane": Setting(number(0), set_near_plane),
+    "soft_method": Setting(one_of(SOFT_METHODS), of("SetSoftMethod", PLANAR)),
+    "debug_view": Setting(debug_view, of("SetDebugView")),
+    "maximum_error": Setting(number(0, 100), of("SetMaximumError")),
+    "maximum_frame_time": Setting(number(0), of("SetMaximumFrameTime")),
+    "strength": Setting(number(0, 1), of_lights("SetLightStrength")),
+    "radius": Setting(number(0), of_lights("SetLightRadius")),
+    "maximum_distance": Setting(number(0), of_lights("SetLightMaximumDistance")),
+    "fade": Setting(number(0, 1), of_lights("SetLightFade")),
+    "translucent_casters": Setting(one_of(TRANSLUCENT_CASTERS), of("SetTranslucentCasting")),
+    "cull_hidden_faces": Setting(_checks.flag, of("SetCullHiddenFaces")),
 }
 
 

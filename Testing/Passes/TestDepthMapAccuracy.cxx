@@ -7,7 +7,6 @@
 
 #include <vtkImageData.h>
 #include <vtkLightCollection.h>
-#include <vtkTransform.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -179,30 +178,13 @@ TEST_F(DepthMapAccuracy, OffsetsAndScales)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
   this->Resize(640, 480);
-  const struct
-  {
-    const char* name;
-    double offset;
-    double scale;
-  } placements[] = { { "plain", 0.0, 1.0 }, { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
-    { "scale 1e6", 0.0, 1e6 } };
-  for (const auto& placement : placements)
+  for (const Placement& placement : Placements)
   {
     for (const bool byActor : { true, false })
     {
-      this->Renderer->RemoveAllViewProps();
-      this->Renderer->RemoveAllLights();
-      Subject subject = AddStillLife(this->Renderer);
-      const auto place = [&placement](const glm::dvec3& p)
-      { return glm::dvec3(placement.offset) + placement.scale * p; };
-      vtkNew<vtkTransform> worldFromScene;
-      worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
-      worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
-      PlaceActors(this->Renderer, worldFromScene, byActor);
-      AddSpot(this->Renderer, place({ 3.5, -3.0, 6.5 }), place({ 0.0, 0.0, 0.3 }), 35.0);
-      subject.centre = place(subject.centre);
-      subject.radius *= placement.scale;
-      AimCamera(this->Renderer, subject, -15.0, 28.0, 640, 480);
+      AddStillLifeAt(this->Renderer, placement, byActor, 640, 480);
+      AddSpot(
+        this->Renderer, placement.Of({ 3.5, -3.0, 6.5 }), placement.Of({ 0.0, 0.0, 0.3 }), 35.0);
       this->CheckLights(
         std::string(placement.name) + (byActor ? ", by actor" : ", by points"), OfSmoothThings);
     }

@@ -8,7 +8,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -193,29 +192,11 @@ TEST_F(DepthMapCubes, PointLightAmidAStillLife)
 TEST_F(DepthMapCubes, OffsetsAndScales)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
-  const struct
+  this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
+  for (const Placement& placement : Placements)
   {
-    const char* name;
-    double offset;
-    double scale;
-  } placements[] = { { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
-    { "scale 1e6", 0.0, 1e6 } };
-  for (const auto& placement : placements)
-  {
-    this->Renderer->RemoveAllViewProps();
-    this->Renderer->RemoveAllLights();
-    Subject subject = AddStillLife(this->Renderer);
-    this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
-    const auto place = [&placement](const glm::dvec3& p)
-    { return glm::dvec3(placement.offset) + placement.scale * p; };
-    vtkNew<vtkTransform> worldFromScene;
-    worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
-    worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
-    PlaceActors(this->Renderer, worldFromScene, true);
-    auto lamp = AddLamp(this->Renderer, place({ 0.1, 0.1, 0.7 }));
-    subject.centre = place(subject.centre);
-    subject.radius *= placement.scale;
-    AimCamera(this->Renderer, subject, -15.0, 28.0, 640, 480);
+    AddStillLifeAt(this->Renderer, placement, true, 640, 480);
+    auto lamp = AddLamp(this->Renderer, placement.Of({ 0.1, 0.1, 0.7 }));
     this->Resize(640, 480);
     this->Render();
     this->CheckMeasure(placement.name, lamp, Mismatch, Gross);

@@ -229,28 +229,17 @@ TEST_F(ObjectIDs, OffsetsAndScales)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
   this->Resize(640, 480);
-  const double placements[][2] = { { 1e6, 1.0 }, { 0.0, 1e-6 }, { 0.0, 1e6 } };
-  for (const auto& placement : placements)
+  for (const Placement& placement : Placements)
   {
     for (const bool byActor : { true, false })
     {
-      this->Renderer->RemoveAllViewProps();
-      this->Renderer->RemoveAllLights();
-      Subject subject = AddStillLife(this->Renderer);
-      const double offset = placement[0], scale = placement[1];
-      const auto place = [&](const glm::dvec3& p) { return glm::dvec3(offset) + scale * p; };
-      vtkNew<vtkTransform> worldFromScene;
-      worldFromScene->Translate(offset, offset, offset);
-      worldFromScene->Scale(scale, scale, scale);
-      PlaceActors(this->Renderer, worldFromScene, byActor);
-      AddSpot(this->Renderer, place({ 3.5, -3.0, 6.5 }), place({ 0.0, 0.0, 0.3 }), 35.0);
-      subject.centre = place(subject.centre);
-      subject.radius *= scale;
-      AimCamera(this->Renderer, subject, -15.0, 28.0, 640, 480);
+      AddStillLifeAt(this->Renderer, placement, byActor, 640, 480);
+      AddSpot(
+        this->Renderer, placement.Of({ 3.5, -3.0, 6.5 }), placement.Of({ 0.0, 0.0, 0.3 }), 35.0);
       // Pieces are told by their vertices.
       this->Maps()->SetObjectType(byActor ? "prop" : "piece");
-      this->CheckBesideDepthMap("offset " + std::to_string(offset) + ", scale " +
-        std::to_string(scale) + (byActor ? ", by actor" : ", by points"));
+      this->CheckBesideDepthMap(
+        std::string(placement.name) + (byActor ? ", by actor" : ", by points"));
     }
   }
 }
@@ -368,6 +357,11 @@ TEST_F(ObjectIDs, InstancesOfGlyphs)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   this->Renderer->AddActor(actor);
+  this->CheckToldApart("block", "instance", 2 + 18);
+  // As ParaView gives them to the mapper: the one block of a composite.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, places);
+  mapper->SetInputDataObject(blocks);
   this->CheckToldApart("block", "instance", 2 + 18);
 }
 

@@ -670,6 +670,7 @@ TEST_F(PlanarShadows, MixesWithOtherTechniques)
 // As ParaView draws every surface. What lies in one plane is one, in however many blocks.
 TEST_F(PlanarShadows, FlatComposites)
 {
+  SHADOWTEST_NEEDS_RAY_CAST();
   AddSphere(this->Renderer, { 0.0, 0.0, 1.0 }, 0.5);
   this->EachProp([](vtkProp* prop) { vtkShadowPass::SetReceivesShadows(prop, false); });
   auto sun = AddSun(this->Renderer, { -0.5, 0.4, -1.0 });

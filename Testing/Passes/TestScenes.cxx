@@ -36,6 +36,27 @@ void PlaceActors(vtkRenderer* renderer, vtkTransform* worldFromScene, bool byAct
   }
 }
 
+void PlaceActors(vtkRenderer* renderer, const Placement& placement, bool byActor)
+{
+  vtkNew<vtkTransform> worldFromScene;
+  worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
+  worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
+  PlaceActors(renderer, worldFromScene, byActor);
+}
+
+//------------------------------------------------------------------------------
+void AddStillLifeAt(
+  vtkRenderer* renderer, const Placement& placement, bool byActor, int width, int height)
+{
+  renderer->RemoveAllViewProps();
+  renderer->RemoveAllLights();
+  Subject subject = AddStillLife(renderer);
+  PlaceActors(renderer, placement, byActor);
+  subject.centre = placement.Of(subject.centre);
+  subject.radius *= placement.scale;
+  AimCamera(renderer, subject, -15.0, 28.0, width, height);
+}
+
 //------------------------------------------------------------------------------
 LotScene AddSceneByLot(vtkRenderer* renderer, int seed, double lowest, int width, int height)
 {

@@ -5,6 +5,8 @@
 #include "SceneParts.h"
 #include "StudioScenes.h"
 
+#include <glm/vec3.hpp>
+
 #include <string>
 
 class vtkRenderer;
@@ -34,6 +36,25 @@ LotScene AddSceneByLot(vtkRenderer* renderer, int seed, double lowest, int width
 
 // Moves what stands in the scene: by matrices, or by giving it other coordinates, in double.
 void PlaceActors(vtkRenderer* renderer, vtkTransform* worldFromScene, bool byActor);
+
+// Where a scene stands, and how large it is.
+struct Placement
+{
+  const char* name;
+  double offset; // along each axis
+  double scale;
+
+  glm::dvec3 Of(const glm::dvec3& p) const { return glm::dvec3(this->offset) + this->scale * p; }
+};
+void PlaceActors(vtkRenderer* renderer, const Placement& placement, bool byActor);
+
+// As scenes are made, and where absolute constants and floats of the world would fail.
+inline constexpr Placement Placements[] = { { "plain", 0.0, 1.0 }, { "offset 1e6", 1e6, 1.0 },
+  { "scale 1e-6", 0.0, 1e-6 }, { "scale 1e6", 0.0, 1e6 } };
+
+// In place of what the renderer has: a still life, there, without a light, and a camera.
+void AddStillLifeAt(
+  vtkRenderer* renderer, const Placement& placement, bool byActor, int width, int height);
 
 }
 

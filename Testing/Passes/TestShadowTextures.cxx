@@ -14,7 +14,6 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -659,29 +658,17 @@ TEST_F(ShadowTextures, ReceiversOfEveryKind)
 TEST_F(ShadowTextures, OffsetsAndScales)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
-  const struct
+  for (const Placement& placement : Placements)
   {
-    const char* name;
-    double offset;
-    double scale;
-  } placements[] = { { "plain", 0.0, 1.0 }, { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
-    { "scale 1e6", 0.0, 1e6 } };
-  for (const auto& placement : placements)
-  {
-    const auto place = [&placement](const glm::dvec3& p)
-    { return glm::dvec3(placement.offset) + placement.scale * p; };
     for (const bool each : { false, true })
     {
       this->Renderer->RemoveAllViewProps();
       this->Renderer->RemoveAllLights();
       this->AddFlyer();
-      vtkNew<vtkTransform> worldFromScene;
-      worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
-      worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
-      PlaceActors(this->Renderer, worldFromScene, true);
-      auto spot =
-        AddSpot(this->Renderer, place({ -2.0, -1.5, 6.0 }), place({ 0.0, 0.0, 1.0 }), 30.0);
-      LookAt(this->Renderer, place({ 0.0, -9.0, 6.0 }), place({ 0.0, 0.0, 0.5 }));
+      PlaceActors(this->Renderer, placement, true);
+      auto spot = AddSpot(
+        this->Renderer, placement.Of({ -2.0, -1.5, 6.0 }), placement.Of({ 0.0, 0.0, 1.0 }), 30.0);
+      LookAt(this->Renderer, placement.Of({ 0.0, -9.0, 6.0 }), placement.Of({ 0.0, 0.0, 0.5 }));
       this->Pass()->SetTexturePerCaster(each);
       this->Shadows->SetLightRadius(spot, 0.0);
       this->Render();

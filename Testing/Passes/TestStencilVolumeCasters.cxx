@@ -16,7 +16,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,32 +158,14 @@ TEST_F(StencilVolumeCasters, AssembliesGlyphsAndComposites)
 TEST_F(StencilVolumeCasters, OffsetsAndScales)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
-  const struct
-  {
-    const char* name;
-    double offset;
-    double scale;
-  } placements[] = { { "plain", 0.0, 1.0 }, { "offset 1e6", 1e6, 1.0 }, { "scale 1e-6", 0.0, 1e-6 },
-    { "scale 1e6", 0.0, 1e6 } };
   Visibility plain;
-  for (const auto& placement : placements)
+  for (const Placement& placement : Placements)
   {
     for (const bool byActor : { true, false })
     {
-      this->Renderer->RemoveAllViewProps();
-      this->Renderer->RemoveAllLights();
-      Subject subject = AddStillLife(this->Renderer);
-      const auto place = [&placement](const glm::dvec3& p)
-      { return glm::dvec3(placement.offset) + placement.scale * p; };
-      vtkNew<vtkTransform> worldFromScene;
-      worldFromScene->Translate(placement.offset, placement.offset, placement.offset);
-      worldFromScene->Scale(placement.scale, placement.scale, placement.scale);
-      PlaceActors(this->Renderer, worldFromScene, byActor);
-      auto spot =
-        AddSpot(this->Renderer, place({ 3.5, -3.0, 6.5 }), place({ 0.0, 0.0, 0.3 }), 35.0);
-      subject.centre = place(subject.centre);
-      subject.radius *= placement.scale;
-      AimCamera(this->Renderer, subject, -15.0, 28.0, 320, 240);
+      AddStillLifeAt(this->Renderer, placement, byActor, 320, 240);
+      auto spot = AddSpot(
+        this->Renderer, placement.Of({ 3.5, -3.0, 6.5 }), placement.Of({ 0.0, 0.0, 0.3 }), 35.0);
       const std::string what =
         std::string(placement.name) + (byActor ? ", by actor" : ", by points");
       this->CheckTruth(what, spot);

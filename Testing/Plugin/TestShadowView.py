@@ -166,6 +166,36 @@ class TestShadowView(unittest.TestCase):
             for source in SOURCES:
                 simple.Show(source, VIEW)
 
+    def test_object_type_instance(self):
+        """By IDs alone a glyph shadows another of its source where each has an ID, and else does not."""
+        ends = simple.Line(Point1=(0, 0, 1), Point2=(0.8, 0.8, 1.8), Resolution=1)  # one toward the light
+        simple.Hide(SOURCES[0], VIEW)
+        try:
+            display = simple.Show(ends, VIEW)
+            display.SetRepresentationType("3D Glyphs")
+            display.GlyphType = "Sphere"
+            display.GlyphType.Radius = 0.3
+            display.GlyphType.ThetaResolution = display.GlyphType.PhiResolution = 48
+            display.Orient = display.Scaling = 0
+            display.ScaleFactor = 1
+            display.ColorArrayName = [None, ""]
+            display.DiffuseColor = (0.7, 0.7, 0.7)
+            display.Specular = 0
+            before = near(screenshot(VIEW, "glyphs-none"), 0.1, 0.1)
+            VIEW.Technique = "object-id"
+            VIEW.ObjectDepths = 0
+            together = near(screenshot(VIEW, "glyphs-prop"), 0.1, 0.1)
+            change = abs(together - before).max()
+            print(f"on the lower glyph, as one source: got a change of {change}, expected 0, tolerance 1")
+            self.assertLessEqual(change, 1)
+            VIEW.ObjectType = "instance"
+            apart = near(screenshot(VIEW, "glyphs-instance"), 0.1, 0.1)
+            print(f"on the lower glyph, by itself: got {apart.max()}, expected under half of {before.min()}")
+            self.assertLess(apart.max(), before.min() / 2)
+        finally:
+            simple.Delete(ends)
+            simple.Show(SOURCES[0], VIEW)
+
     def test_translucent_casters(self):
         """A sphere of the opacity 0.5 is two surfaces: a quarter of the light is left behind it."""
         display = simple.GetDisplayProperties(SOURCES[0], VIEW)

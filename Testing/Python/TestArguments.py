@@ -62,6 +62,7 @@ class TestArguments(unittest.TestCase):
             ("maximum_distance: -1.0 is out of range", dict(maximum_distance=-1)),
             ("fade: 2.0 is out of range; give 0 to 1", dict(fade=2)),
             ("translucent_casters: 'half' is not known; there are none, opaque", dict(translucent_casters="half")),
+            ("cull_hidden_faces: 1 is not True or False", dict(cull_hidden_faces=1)),
             ("radius: inf is out of range; give 0 or more", dict(radius=math.inf)),
             ("delegate: int is not a vtkRenderPass", dict(delegate=1)),
         ):
@@ -114,6 +115,20 @@ class TestArguments(unittest.TestCase):
         vtkshadows.enable(SCENE.renderer, light_samples=16)
         self.assertEqual(volumes.GetLightSamples(), 16)
         self.assertEqual(volumes.GetVariant(), 3)  # what is not named stays
+        for value, name in enumerate(("none", "opaque", "stochastic", "transmittance")):
+            vtkshadows.enable(SCENE.renderer, translucent_casters=name)
+            self.assertEqual(shadows.GetTranslucentCasting(), value)
+        for culled in (True, False):
+            vtkshadows.enable(SCENE.renderer, cull_hidden_faces=culled)
+            self.assertEqual(shadows.GetCullHiddenFaces(), culled)
+        planar = shadows.GetPlanarShadowPass()
+        vtkshadows.enable(SCENE.renderer, soft_method="plateaus", plane_textures=True, texture_resolution=99)
+        self.assertEqual((planar.GetSoftMethod(), planar.GetTextureResolution()), (planar.PLATEAUS, 99))
+        self.assertTrue(planar.GetPlaneTextures())
+        vtkshadows.enable(SCENE.renderer, maximum_error=2, maximum_frame_time=30, maximum_distance=9, fade=0.5)
+        self.assertEqual((shadows.GetMaximumError(), shadows.GetMaximumFrameTime()), (2, 30))
+        self.assertEqual(shadows.GetLightMaximumDistance(SCENE.light), 9)
+        self.assertEqual(shadows.GetLightFade(SCENE.light), 0.5)
         ray_cast = shadows.GetRayCastShadowPass()
         if ray_cast:
             vtkshadows.enable(SCENE.renderer, epsilon_scale=2)

@@ -64,6 +64,25 @@ class TestEnableDisable(unittest.TestCase):
         print(f"half strength: got {got}, expected {expected}, tolerance 1.5")
         self.assertLessEqual(abs(got - expected), 1.5)
 
+    def test_hidden_faces(self):
+        """Those of the sphere are left out once it is known to be closed; the floor is not."""
+        shadows = vtkshadows.enable(SCENE.renderer, "depth-map")
+        for _ in range(3):
+            whole = SCENE.frame()
+        self.assertEqual(shadows.GetNumberOfCulledReceivers(), 0)
+        vtkshadows.enable(SCENE.renderer, "depth-map", cull_hidden_faces=True)
+        SCENE.window.Render()
+        SCENE.window.Render()
+        while not shadows.GetCullingIsSettled():
+            SCENE.window.Render()
+        culled = SCENE.frame()
+        self.assertEqual(shadows.GetNumberOfCulledReceivers(), 1)
+        different = int((culled != whole).any(axis=2).sum())
+        print(f"pixels that differ: got {different}, expected at most 3")
+        self.assertLessEqual(different, 3)
+        vtkshadows.enable(SCENE.renderer, "depth-map", cull_hidden_faces=False)
+        self.assert_same(SCENE.frame(), whole)
+
     def test_props_that_do_not_take_part(self):
         vtkshadows.enable(SCENE.renderer, "depth-map")
         vtkshadows.set_casts_shadows(SCENE.sphere, False)

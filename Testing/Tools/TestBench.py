@@ -108,6 +108,22 @@ check("the fence is measured", broken["fence|planar/textures-2048"]["failure"], 
 write_tetrahedron("mesh.off")
 succeed("bench", "mesh.off", "-o", "own", "--settings", "depth-map/percentage-closer/512", *SMALL)
 check("rows of meshes", sorted(rows_of("own")), ["meshes|depth-map/percentage-closer/512"])
+check("receivers culled unasked", rows_of("own")["meshes|depth-map/percentage-closer/512"]["culled_receivers"], 0)
+# How its frames are drawn, and how what is translucent casts, is the user's to say, too.
+SHADOWED = ["--settings", "depth-map/percentage-closer/512", "--opacity", 0.5, *SMALL]
+shadowed = []
+for how in ("none", "opaque"):
+    succeed("bench", "mesh.off", "-o", how, "--translucent-casters", how, *SHADOWED)
+    errors = rows_of(how)["meshes|depth-map/percentage-closer/512"]["errors"]
+    if with_errors:
+        shadowed.append(errors[0]["shadow_pixels"])
+if with_errors:
+    check("pixels in shadow of what does not cast", shadowed[0], 0)
+    check("pixels in shadow of what casts as if opaque", shadowed[1] > 50, True)
+status, out, err = command("bench", "mesh.off", "-o", "opaque", "--resume", "--translucent-casters", "none", *SHADOWED)
+check("status by another way to cast", (status, "measured otherwise" in err), (1, True))
+succeed("bench", "mesh.off", "-o", "culled", "--cull-hidden-faces", "--settings", "depth-map/percentage-closer/512", *SMALL)
+check("receivers culled", rows_of("culled")["meshes|depth-map/percentage-closer/512"]["culled_receivers"], 1)
 succeed("bench", "-o", "sweeps", "--scenes", "fence", "--settings", "planar,shadow-texture/2048", "--sweeps", "--fast",
         *SMALL)  # fmt: skip
 with open("sweeps/bench.json") as file:

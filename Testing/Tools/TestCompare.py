@@ -3,11 +3,11 @@
 import json
 import os
 
-from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate
+from commandtest import Image, check, enter_empty_folder, finish, succeed, write_plate, write_tetrahedron
 
 KEYS = {
     "technique", "light", "explanation", "filter", "depth_bits", "receiver_pixels", "shadow_pixels", "mismatch_percent", "gross_pixels",
-    "gross_false_pixels", "gross_missed_pixels", "mean_absolute_difference", "frame_ms_unshadowed",
+    "gross_false_pixels", "gross_missed_pixels", "mean_absolute_difference", "culled_receivers", "frame_ms_unshadowed",
     "frame_ms_static", "frame_ms_moving", "ratio_static", "ratio_moving", "triangles", "vtk_version",
     "gl_renderer",
 }  # fmt: skip
@@ -76,6 +76,16 @@ check("chosen techniques", [row["technique"] for row in rows], ["none", "depth-m
 check("without technique, the shadow is missed", rows[0]["mismatch_percent"] > 1, True)
 check("picture without technique is the unshadowed one",
       Image("one/none.png").rows == Image("one/unshadowed.png").rows, True)  # fmt: skip
+
+# How a translucent mesh casts, and that of a closed one hidden faces are left out of a frame with shadows.
+write_tetrahedron("closed.off")
+succeed("compare", "plate.off", "closed.off", "-o", "ways", "--size", "80x60", "--frames", 1, "--opacity", "0.5,1",
+        "--translucent-casters", "opaque", "--cull-hidden-faces", "--techniques", "none,depth-map", *FLOOR)  # fmt: skip
+with open("ways/comparison.json") as file:
+    rows = json.load(file)
+check("receivers that were culled", [row["culled_receivers"] for row in rows], [0, 1])
+check("shadow of a translucent plate is missed without technique", rows[0]["mismatch_percent"] > 1, True)
+check("and not by depth maps", rows[1]["mismatch_percent"] < 0.5 * rows[0]["mismatch_percent"], True)
 
 # Chosen ones are compared if asked for, and say why.
 out = succeed("compare", "plate.off", "-o", "auto", "--size", "80x60", "--frames", 1,

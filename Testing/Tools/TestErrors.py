@@ -110,6 +110,10 @@ refused_option(["no object"], "--object-type", "atom", "prop, block, instance, p
 refused_option(["no format"], "--object-depth-bits", "12", "8, 16, 24, 32")
 refused_option(["less than 1"], "--object-taps", "0", "1 or more")
 refused_option(["more than 4"], "--object-taps", "5", "1 to 4")
+refused_option(["no way"], "--translucent-casters", "half", "none, opaque, stochastic, transmittance")
+for opacity in ("0", "1.5", "-1", "nan"):
+    refused_option(["no opacity"], "--opacity", opacity, "more than 0 and at most 1")
+refused(["--opacity 2 value(s)", "1 mesh(es)", "one for each"], "render", "mesh.off", *PICTURE, "--opacity", "1,0.5")
 refused_option(["no view"], "--debug", "x-ray", "volumes, silhouette, counts")
 for words in ([], ["--technique", "ray-cast"], ["--light", "point:1,2,3@technique=none"]):
     technique = words[1].split("=")[-1] if words else "depth-map"
@@ -129,6 +133,8 @@ refused(["--triangles 5", "10000"], "bench", "-o", "results", "--triangles", "5"
 refused(["--seconds -1"], "bench", "-o", "results", "--seconds", "-1")
 refused(["--size 0x3", "no area"], "bench", "-o", "results", "--size", "0x3")
 refused(["--statue no.off", "no such file"], "bench", "-o", "results", "--statue", "no.off")
+refused(["--opacity 1 value(s)", "0 mesh(es)"], "bench", "-o", "results", "--opacity", "0.5")
+refused(["--translucent-casters half", "stochastic"], "bench", "-o", "results", "--translucent-casters", "half")
 refused(["-o mesh.off", "is a file"], "bench", "-o", "mesh.off")
 refused(["input missing.ply"], "bench", "missing.ply", "-o", "results")
 refused(["--frames 0", "less than 1"], "bench", "-o", "results", "--frames", "0")

@@ -142,6 +142,35 @@ for options, expected in (([], 255), (["--texture-per-caster"], 0)):
     check(f"{options}: mask on the lower plate, in the shadow of the upper one",
           mask_at(Image("plates-mask-0.png"), 0, 0.44), expected)  # fmt: skip
 
+# How a translucent plate casts: not, whole, or by its opacity; by depth maps without a grain. One of two opacities.
+HALF = [*SCENE, "--light", light, "--technique", "depth-map", "--opacity", 0.25]
+for name, expected in ((None, 255), ("none", 255), ("opaque", 0), ("transmittance", 0.75 * 255)):
+    options = ["--translucent-casters", name] if name else []
+    succeed("render", *HALF, *options, "-o", "glass.png", "--visibility", "glass-mask.png")
+    check(f"mask behind a translucent plate, {name}", mask_at(Image("glass-mask-0.png"), 0, 1), expected, 1)
+succeed("render", *HALF, "--translucent-casters", "stochastic", "-o", "glass.png", "--visibility", "glass-mask.png")
+mask = Image("glass-mask-0.png")
+dark = sum(255 - value[0] for row in mask.rows for value in row) / 255
+check("shadow's pixels by the plate's opacity", dark, 0.25 * shadow_pixels, 0.06 * shadow_pixels)
+succeed("render", "plate.off", "upper.off", *SCENE[1:], "--light", "directional:0,0.4,-1", "--technique", "depth-map",
+        "--opacity", "1,0.5", "--translucent-casters", "transmittance", "-o", "glass.png",
+        "--visibility", "glass-mask.png")  # fmt: skip
+glass = Image("glass-mask-0.png")
+check("opaque plate of two", mask_at(glass, 0, 0.8), 0)
+check("translucent plate of two, on the other", mask_at(glass, 0, 0.44), 127.5, 1)
+
+# Faces that the eye cannot see: left out of the tetrahedron, not of the open plate; the picture stays.
+write_tetrahedron("closed.off")
+for culls in (False, True):
+    option = ["--cull-hidden-faces"] if culls else []
+    succeed("render", "closed.off", *SCENE, "--light", light, "--technique", "depth-map", *option,
+            "-o", f"culled-{culls}.png", "--json", "culled.json", "--frames", 1)  # fmt: skip
+    with open("culled.json") as file:
+        check(f"{option}: receivers that were culled", json.load(file)[0]["culled_receivers"], int(culls))
+whole, culled = Image("culled-False.png"), Image("culled-True.png")
+unlike = sum(a != b for rows in zip(whole.rows, culled.rows) for a, b in zip(*rows))
+check(f"--cull-hidden-faces: at most 3 of {unlike} pixels are unlike", unlike <= 3, True)
+
 # A spot straight above, whose cone falls off by the smoothstep of the angle's cosine; beside the plate.
 SPOT = "spot:0,0,10:0,0,0:10"
 for name, attributes in (("spot", ""), ("falloff", "@falloff=0.8"), ("ambient", "@intensity=0"),

@@ -77,12 +77,17 @@ void BenchEntrant::Show(bool moving)
     return;
   }
   auto& pass = this->passes[moving && this->run.setting.technique == "auto" ? 1 : 0];
-  if (!pass)
+  const bool isNew = !pass;
+  if (isNew)
   {
     pass = this->stage.MakeShadows(this->run.setting.soft);
     this->run.setting.apply(pass);
   }
   this->stage.UseShadows(pass);
+  if (isNew)
+  {
+    this->stage.SettleCulling();
+  }
 }
 
 void BenchEntrant::Drop()

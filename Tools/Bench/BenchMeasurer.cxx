@@ -285,6 +285,8 @@ void BenchMeasurer::Prepare(BenchEntrant& entrant)
   {
     row["explanations"] = this->ExplanationsOfChoice();
   }
+  row["culled_receivers"] =
+    entrant.Peer() ? 0 : this->stage.Shadows()->GetNumberOfCulledReceivers();
   row["errors"] = withErrors ? this->ErrorsOf(entrant) : BenchJson::array();
 
   entrant.Show();

@@ -187,6 +187,14 @@ std::string PlanKey(const Options& options)
   {
     key << ", input " << input;
   }
+  for (const double opacity : options.stage.opacities)
+  {
+    key << ", opacity " << opacity;
+  }
+  const StageSettings& stage = options.stage;
+  key << (stage.translucentCasters == "none" ? ""
+                                             : ", translucent casters " + stage.translucentCasters)
+      << (stage.cullHiddenFaces ? ", hidden faces culled" : "");
   return key.str();
 }
 
