@@ -47,28 +47,27 @@ public:
   vtkShadowTextureArray Depth; // of the map that is drawn
   vtkShadowHiddenFaces HiddenFaces;
   vtkShadowObjects Objects;
-  std::vector<float> Ranges; // of each map, by ID: nearest depth, and how far it reaches
+  std::vector<float> Ranges; // of each map, by ID: as vtkShadowObjects::RangesIn has them
   vtkShadowTextureBuffer RangeTexture;
   vtkOpenGLRenderWindow* Window = nullptr;      // of the frame
   vtkShadowTextureBuffer* OfVertices = nullptr; // that is bound
   int DrawnLayer = 0;
 
-  void SetRanges(int layer, const std::vector<glm::vec2>& ranges);
+  void SetRanges(int layer, const std::vector<glm::vec4>& ranges);
   void BindVertices(vtkShadowTextureBuffer* table);
   void Unbind();
 };
 
 //------------------------------------------------------------------------------
-void vtkObjectIDShadowPass::Internals::SetRanges(int layer, const std::vector<glm::vec2>& ranges)
+void vtkObjectIDShadowPass::Internals::SetRanges(int layer, const std::vector<glm::vec4>& ranges)
 {
-  const std::size_t first = 2 * ranges.size() * static_cast<std::size_t>(layer);
-  this->Ranges.resize(std::max(this->Ranges.size(), first + 2 * ranges.size()));
+  const std::size_t first = 4 * ranges.size() * static_cast<std::size_t>(layer);
+  this->Ranges.resize(std::max(this->Ranges.size(), first + 4 * ranges.size()));
   for (std::size_t i = 0; i < ranges.size(); ++i)
   {
-    this->Ranges[first + 2 * i] = ranges[i].x;
-    this->Ranges[first + 2 * i + 1] = ranges[i].y;
+    std::copy_n(&ranges[i].x, 4, this->Ranges.begin() + static_cast<std::ptrdiff_t>(first + 4 * i));
   }
-  this->RangeTexture.Upload(this->Window, 2, this->Ranges);
+  this->RangeTexture.Upload(this->Window, 4, this->Ranges);
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +247,7 @@ void vtkObjectIDShadowPass::BeginMaps(const vtkShadowFrame& frame)
   if (my.Ranges.empty() || !my.RangeTexture.IsOf(my.Window))
   {
     my.Ranges.clear();
-    my.SetRanges(0, { { 1.0f, 0.0f } }); // of NoID, so that there is a texture
+    my.SetRanges(0, { { 1.0f, 0.0f, 1.0f, 0.0f } }); // of NoID, so that there is a texture
   }
 }
 

@@ -315,10 +315,11 @@ void vtkRayCastShadowPass::Internals::PlaceFrame(const vtkShadowScene& scene)
   {
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
+      const bool casts = prop.CastsRays && !piece.WideFloor;
       for (const glm::dvec3& corner : piece.CornersWC)
       {
-        low = prop.CastsRays ? glm::min(low, corner) : low;
-        high = prop.CastsRays ? glm::max(high, corner) : high;
+        low = casts ? glm::min(low, corner) : low;
+        high = casts ? glm::max(high, corner) : high;
       }
     }
   }
@@ -408,7 +409,7 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
     std::string skipped;
     for (const vtkShadowScene::Piece& piece : prop.Pieces)
     {
-      if (!prop.CastsRays)
+      if (!prop.CastsRays || piece.WideFloor)
       {
         continue;
       }

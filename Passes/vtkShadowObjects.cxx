@@ -22,6 +22,8 @@
 #include "vtkOpenGLBatchedPolyDataMapper.h"
 #endif
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -157,6 +159,16 @@ struct Reach
   double Nearest = std::numeric_limits<double>::infinity();
   double Farthest = -std::numeric_limits<double>::infinity();
 };
+
+// Where a view begins and ends, distances before the light.
+void RangeOf(const LightView& view, double& nearest, double& farthest)
+{
+  const glm::dmat4 viewFromClip = glm::inverse(view.clipFromView);
+  const glm::dvec4 begin = viewFromClip * glm::dvec4(0.0, 0.0, -1.0, 1.0);
+  const glm::dvec4 end = viewFromClip * glm::dvec4(0.0, 0.0, 1.0, 1.0);
+  nearest = -begin.z / begin.w;
+  farthest = -end.z / end.w;
+}
 
 // The window-space depth at `distance` before the light, 0 nearer than the view begins, 1 beyond.
 double DepthAt(const LightView& view, double distance)
@@ -393,7 +405,7 @@ void vtkShadowObjects::AddBox(
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::vec2> vtkShadowObjects::RangesIn(const LightView& view, int texels) const
+std::vector<glm::vec4> vtkShadowObjects::RangesIn(const LightView& view, int texels) const
 {
   // A texel's width, or in perspective its share of the distance.
   const double width = 2.0 / (view.clipFromView[0][0] * std::max(texels, 1));
@@ -409,13 +421,18 @@ std::vector<glm::vec2> vtkShadowObjects::RangesIn(const LightView& view, int tex
       reach.Farthest = std::max(reach.Farthest, distance + beyond);
     }
   }
-  std::vector<glm::vec2> ranges(reaches.size(), glm::vec2(1.0f, 0.0f));
+  double begin = 0.0, end = 0.0;
+  RangeOf(view, begin, end);
+  std::vector<glm::vec4> ranges(reaches.size(), glm::vec4(1.0f, 0.0f, 1.0f, 0.0f));
   for (std::size_t i = 1; i < reaches.size(); ++i)
   {
     if (reaches[i].Nearest <= reaches[i].Farthest)
     {
       const double nearest = DepthAt(view, reaches[i].Nearest);
-      ranges[i] = glm::vec2(nearest, DepthAt(view, reaches[i].Farthest) - nearest);
+      const double share =
+        std::clamp(reaches[i].Nearest, begin, end) / std::clamp(reaches[i].Farthest, begin, end);
+      ranges[i] = glm::vec4(
+        nearest, DepthAt(view, reaches[i].Farthest) - nearest, view.parallel ? 1.0 : share, 0.0);
     }
   }
   return ranges;

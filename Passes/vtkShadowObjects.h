@@ -6,7 +6,7 @@
 #include "vtkShadowByPiece.h"
 #include "vtkShadowSceneData.h"
 
-#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <map>
@@ -47,9 +47,10 @@ public:
   // IDs that there are, NoID included.
   int GetNumberOfIDs() const;
 
-  // By ID: the nearest depth, window space, that anything of it has in a view, and how far the
-  // farthest lies from it. `texels`: of the map's width. NoID lies at 1.
-  std::vector<glm::vec2> RangesIn(const vtkshadows::LightView& view, int texels) const;
+  // By ID: the nearest depth, window space, that anything of it has in a view; how far the farthest
+  // lies from it; and the nearest distance over the farthest, 1 in a parallel view. The fourth is
+  // not used. `texels`: of the map's width. NoID lies at 1.
+  std::vector<glm::vec4> RangesIn(const vtkshadows::LightView& view, int texels) const;
 
   // What a draw of `prop` by `mapper` is told.
   struct Draw

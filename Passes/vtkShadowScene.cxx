@@ -1,5 +1,6 @@
 #include "vtkShadowScene.h"
 
+#include "ShadowReach.h"
 #include "vtkShadowCasterGeometry.h"
 #include "vtkShadowMatrix.h"
 #include "vtkShadowPass.h"
@@ -27,6 +28,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
@@ -34,6 +36,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -49,12 +52,33 @@ namespace
 
 using Scene = vtkShadowScene;
 
-// A plane n.x = d in model coordinates, kept until the points change.
+// A plane n.x = d in model coordinates; n = 0: there is none.
+struct FlatMesh
+{
+  glm::dvec4 PlaneMC{ 0.0 };
+  double Rounding = 0.0; // of the points as they are kept, along n
+};
+
+// The same, kept until the points change.
 struct KnownPlane
 {
   vtkMTimeType Stamp = 0;
-  glm::dvec4 PlaneMC{ 0.0 };
+  FlatMesh Flat;
 };
+
+// The bounds of a mesh in the world, kept until its points or its place change.
+struct KnownBounds
+{
+  vtkMTimeType Stamp = 0;
+  glm::dmat4 WorldFromModel{ 0.0 };
+  vtkshadows::Box BoundsWC;
+};
+
+// A light so near the eye that it shines past an edge on less than this share of a pixel is there.
+constexpr double SeenBesideEye = 1.0 / 64.0;
+
+// How many times as large as all else in the scene a floor's coordinates are to be a wide one.
+constexpr double WideFloorTimes = 32.0;
 
 glm::dvec3 PointOf(vtkPoints* points, vtkIdType i)
 {
@@ -83,8 +107,8 @@ void ForEachPoint(const std::vector<vtkPoints*>& sets, const Use& use)
 }
 
 // The plane through all points of `sets`, to the rounding of the numbers that they are kept in and
-// of the floats that they are drawn in, about their middle; n = 0 if there is none.
-glm::dvec4 FlatPlane(const std::vector<vtkPoints*>& sets)
+// of the floats that they are drawn in, about their middle.
+FlatMesh FlatPlane(const std::vector<vtkPoints*>& sets)
 {
   vtkIdType count = 0;
   double unit = 0.0;
@@ -95,7 +119,7 @@ glm::dvec4 FlatPlane(const std::vector<vtkPoints*>& sets)
   }
   if (count < 3)
   {
-    return glm::dvec4(0.0);
+    return {};
   }
 
   // Span the plane by the point farthest from the first, and the one farthest from that line.
@@ -120,7 +144,7 @@ glm::dvec4 FlatPlane(const std::vector<vtkPoints*>& sets)
   const double length = glm::length(across);
   if (!(length > 0.0) || !std::isfinite(length))
   {
-    return glm::dvec4(0.0);
+    return {};
   }
 
   const glm::dvec3 normal = across / length;
@@ -135,7 +159,11 @@ glm::dvec4 FlatPlane(const std::vector<vtkPoints*>& sets)
   ForEachPoint(sets,
     [&](const glm::dvec3& p)
     { isFlat = isFlat && std::abs(glm::dot(normal, p - origin)) <= tolerance; });
-  return isFlat ? glm::dvec4(normal, glm::dot(normal, origin)) : glm::dvec4(0.0);
+  if (!isFlat)
+  {
+    return {};
+  }
+  return { glm::dvec4(normal, glm::dot(normal, origin)), glm::dot(glm::abs(normal), kept) };
 }
 
 // The points of a polygonal mesh, or of all blocks of several, hidden or not; empty where anything
@@ -178,6 +206,13 @@ glm::dvec4 TransformPlane(const glm::dmat4& worldFromModel, const glm::dvec4& pl
     return glm::dvec4(0.0);
   }
   return glm::dvec4(glm::dvec3(row), -row.w) / length;
+}
+
+// How long one unit of height over a plane in the model is in the world.
+double HeightScale(const glm::dmat4& worldFromModel, const glm::dvec4& planeMC)
+{
+  const glm::dvec3 row = glm::inverseTranspose(glm::dmat3(worldFromModel)) * glm::dvec3(planeMC);
+  return 1.0 / glm::length(row);
 }
 
 vtkMTimeType DeepMTime(vtkDataObject* data)
@@ -328,16 +363,27 @@ double VertexReachOf(vtkMapper* mapper, const double bounds[6], const glm::dmat4
   return reach;
 }
 
-bool IsDrawnSolid(const Scene::Piece& piece)
+bool HasShadersOfVTK(vtkActor* actor)
 {
-  auto* actor = vtkActor::SafeDownCast(piece.Prop);
-  if (!actor || actor->GetTexture() || !actor->GetProperty()->GetAllTextures().empty())
-  {
-    return false;
-  }
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   return !shaders->HasVertexShaderCode() && !shaders->HasFragmentShaderCode() &&
     !shaders->HasGeometryShaderCode() && shaders->GetNumberOfShaderReplacements() == 0;
+}
+
+bool IsDrawnSolid(const Scene::Piece& piece)
+{
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  return actor && !actor->GetTexture() && actor->GetProperty()->GetAllTextures().empty() &&
+    HasShadersOfVTK(actor);
+}
+
+// Whether a flat piece is drawn where its plane is, by a shader that can be told so.
+bool IsDrawnOnPlane(const Scene::Prop& prop, const Scene::Piece& piece)
+{
+  auto* actor = vtkActor::SafeDownCast(piece.Prop);
+  return glm::dvec3(piece.PlaneWC) != glm::dvec3(0.0) && actor && HasShadersOfVTK(actor) &&
+    !prop.Impostors && piece.Mapper->IsA("vtkOpenGLPolyDataMapper") &&
+    vtkPolyData::SafeDownCast(piece.Mapper->GetInputDataObject(0, 0));
 }
 
 bool DrawsImpostors(const Scene::Piece& piece)
@@ -352,6 +398,61 @@ bool DrawsImpostors(const Scene::Piece& piece)
   return actor &&
     (actor->GetProperty()->GetRenderPointsAsSpheres() ||
       actor->GetProperty()->GetRenderLinesAsTubes());
+}
+
+// Whether a matrix keeps the model's axes at right angles: then the bounds that it takes to the
+// world are as tight as they are in the model.
+bool KeepsRightAngles(const glm::dmat4& worldFromModel)
+{
+  const glm::dmat3 axes(worldFromModel);
+  const auto areUpright = [&axes](int i, int j)
+  {
+    return std::abs(glm::dot(axes[i], axes[j])) <=
+      1.0e-3 * glm::length(axes[i]) * glm::length(axes[j]);
+  };
+  return areUpright(0, 1) && areUpright(1, 2) && areUpright(2, 0);
+}
+
+// Half of it.
+double SurfaceOf(const vtkshadows::BoxCorners& box)
+{
+  const glm::dvec3 a = box[1] - box[0], b = box[2] - box[0], c = box[4] - box[0];
+  return glm::length(glm::cross(a, b)) + glm::length(glm::cross(b, c)) +
+    glm::length(glm::cross(c, a));
+}
+
+// The bounds of finite points in the world, along its axes.
+vtkshadows::Box BoundsInWorld(vtkPoints* points, const glm::dmat4& worldFromModel)
+{
+  vtkshadows::Box bounds;
+  ForEachPoint({ points },
+    [&](const glm::dvec3& p)
+    {
+      const glm::dvec3 at(worldFromModel * glm::dvec4(p, 1.0));
+      if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z))
+      {
+        bounds.AddPoint(at);
+      }
+    });
+  return bounds;
+}
+
+// How far beside a perspective eye a light may be and still be there, for the pixels of its view.
+double SameAsEye(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const int* size = renderer->GetRenderWindow() ? renderer->GetSize() : nullptr;
+  if (!size || size[0] < 1 || size[1] < 1 || camera->GetParallelProjection() ||
+    camera->GetUseOffAxisProjection() || camera->GetUseExplicitProjectionTransformMatrix())
+  {
+    return 0.0;
+  }
+  // What is moved by e moves in the picture by at most e (1 + t) / near, with t the tangent of the
+  // view's corner.
+  const double side = std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+  const double perPixel = 2.0 * side / size[camera->GetUseHorizontalViewAngle() ? 0 : 1];
+  const double corner = 0.5 * perPixel * std::hypot(size[0], size[1]);
+  return SeenBesideEye * perPixel * camera->GetClippingRange()[0] / (1.0 + corner);
 }
 
 // A mesh as an actor, which is kept as long as its prop has it, so that nothing is built anew.
@@ -396,19 +497,26 @@ public:
   std::vector<Light> Lights;
   std::vector<Prop> Props;
   std::map<vtkMapper*, KnownPlane> Planes;
+  std::map<std::pair<vtkProp*, vtkMapper*>, KnownBounds> Bounds; // of what is sheared
   std::vector<std::uint64_t> CasterSignature;
   int TranslucentCasting = vtkShadowPass::TRANSLUCENT_NONE;
   vtkTimeStamp CasterTime;
   std::set<vtkProp*> Unbounded, UnboundedBefore; // of this frame, and of the last
   std::map<vtkProp*, StandIn> StandIns;          // by the prop that has it
   std::set<vtkProp*> Unfit, UnfitBefore;         // whose stand-in cannot cast
+  vtkProp* Coarse = nullptr;                     // whose rounding is more than all else is large
+  vtkProp* CoarseBefore = nullptr;               // of the last frame
+  double CoarseRounding = 0.0, CoarseReach = 0.0;
 
   void GatherLights(vtkRenderer* renderer);
   void GatherProps(vtkRenderer* renderer);
   void StampCasters();
   void AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4* matrix);
   void AddStandIn();
-  glm::dvec4 PlaneOf(vtkMapper* mapper);
+  void FindWideFloor();
+  void FindCoarse();
+  FlatMesh PlaneOf(vtkMapper* mapper);
+  void TightenBounds(Piece& piece);
 };
 
 //------------------------------------------------------------------------------
@@ -418,6 +526,8 @@ void vtkShadowScene::Internals::GatherLights(vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dmat4 viewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
   const glm::dvec3 eyeWC(glm::inverse(viewFromWorld)[3]);
+  const double sameAsEye =
+    std::max(SameAsEye(renderer), std::ldexp(glm::length(eyeWC), -40)); // or is, to rounding
 
   vtkCollectionSimpleIterator it;
   vtkLightCollection* lights = renderer->GetLights();
@@ -444,14 +554,13 @@ void vtkShadowScene::Internals::GatherLights(vtkRenderer* renderer)
       : source->GetConeAngle() < 90.0         ? vtkshadows::LightKind::Spot
                                               : vtkshadows::LightKind::Point;
     light.AtEye = source->LightTypeIsHeadlight() ||
-      (source->GetPositional() &&
-        glm::length(positionWC - eyeWC) <= std::ldexp(glm::length(eyeWC), -40));
+      (source->GetPositional() && glm::length(positionWC - eyeWC) <= sameAsEye);
     this->Lights.push_back(light);
   }
 }
 
 //------------------------------------------------------------------------------
-glm::dvec4 vtkShadowScene::Internals::PlaneOf(vtkMapper* mapper)
+FlatMesh vtkShadowScene::Internals::PlaneOf(vtkMapper* mapper)
 {
   const bool drawsSurfaces =
     (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
@@ -459,16 +568,43 @@ glm::dvec4 vtkShadowScene::Internals::PlaneOf(vtkMapper* mapper)
   vtkDataObject* data = drawsSurfaces ? mapper->GetInputDataObject(0, 0) : nullptr;
   if (!data)
   {
-    return glm::dvec4(0.0);
+    return {};
   }
   KnownPlane& known = this->Planes[mapper];
   const vtkMTimeType stamp = std::max(DeepMTime(data), mapper->GetMTime());
   if (known.Stamp != stamp)
   {
     known.Stamp = stamp;
-    known.PlaneMC = FlatPlane(PointSetsOf(data));
+    known.Flat = FlatPlane(PointSetsOf(data));
   }
-  return known.PlaneMC;
+  return known.Flat;
+}
+
+//------------------------------------------------------------------------------
+// A matrix that shears makes a box around the model lean far over the mesh within, which would have
+// few of a map's texels. Then the bounds are those of its points.
+void vtkShadowScene::Internals::TightenBounds(Piece& piece)
+{
+  vtkMapper* mapper = piece.Mapper;
+  auto* mesh = mapper->IsA("vtkPolyDataMapper")
+    ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))
+    : nullptr;
+  if (!mesh || !mesh->GetPoints() || DrawsImpostors(piece) ||
+    KeepsRightAngles(piece.WorldFromModel))
+  {
+    return;
+  }
+  KnownBounds& known = this->Bounds[{ piece.Prop, mapper }];
+  const vtkMTimeType stamp = std::max(mesh->GetMTime(), mapper->GetMTime());
+  if (known.Stamp != stamp || known.WorldFromModel != piece.WorldFromModel)
+  {
+    known = { stamp, piece.WorldFromModel, BoundsInWorld(mesh->GetPoints(), piece.WorldFromModel) };
+  }
+  const vtkshadows::BoxCorners tight = known.BoundsWC.Grown(piece.Rounding).Corners();
+  if (!known.BoundsWC.isEmpty && SurfaceOf(tight) < SurfaceOf(piece.CornersWC))
+  {
+    piece.CornersWC = tight;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -504,10 +640,12 @@ void vtkShadowScene::Internals::AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4
   }
   piece.VertexReach = VertexReachOf(mapper, bounds, piece.WorldFromModel);
   piece.Rounding = RoundingOf(mapper, bounds, piece);
-  const glm::dvec4 planeMC = this->PlaneOf(mapper);
-  if (glm::dvec3(planeMC) != glm::dvec3(0.0))
+  this->TightenBounds(piece);
+  const FlatMesh flat = this->PlaneOf(mapper);
+  if (glm::dvec3(flat.PlaneMC) != glm::dvec3(0.0))
   {
-    piece.PlaneWC = TransformPlane(piece.WorldFromModel, planeMC);
+    piece.PlaneWC = TransformPlane(piece.WorldFromModel, flat.PlaneMC);
+    piece.PlaneRounding = flat.Rounding * HeightScale(piece.WorldFromModel, flat.PlaneMC);
   }
   piece.DrawnSolid = IsDrawnSolid(piece);
   piece.Shape = ShapeOf(piece);
@@ -619,6 +757,107 @@ void vtkShadowScene::Internals::AddStandIn()
 }
 
 //------------------------------------------------------------------------------
+// After all lights and props. No more than one is so much wider than all others.
+void vtkShadowScene::Internals::FindWideFloor()
+{
+  const Prop* owner = nullptr;
+  Piece* floor = nullptr;
+  for (Prop& prop : this->Props)
+  {
+    for (Piece& piece : prop.Pieces)
+    {
+      if (!floor || piece.VertexReach > floor->VertexReach)
+      {
+        owner = &prop;
+        floor = &piece;
+      }
+    }
+  }
+  if (!floor || !owner->Receives || !IsDrawnOnPlane(*owner, *floor))
+  {
+    return;
+  }
+
+  // A plane that leans in the model has bounds that are no plane, and reach as far beneath it.
+  vtkshadows::BoxCorners onPlane = floor->CornersWC;
+  for (glm::dvec3& corner : onPlane)
+  {
+    const glm::dvec3 normal(floor->PlaneWC);
+    corner -= (glm::dot(normal, corner) - floor->PlaneWC.w) * normal;
+  }
+  vtkshadows::Box others;
+  double reach = std::ldexp(floor->PlaneRounding, 22), rounding = floor->PlaneRounding;
+  std::vector<vtkshadows::BoxCorners> receivers;
+  for (const Prop& prop : this->Props)
+  {
+    for (const Piece& piece : prop.Pieces)
+    {
+      if (prop.Receives)
+      {
+        receivers.push_back(&piece == floor ? onPlane : piece.CornersWC);
+      }
+      if (&piece != floor)
+      {
+        others.Add(piece.CornersWC);
+        reach = std::max(reach, piece.VertexReach);
+        rounding = std::max(rounding, piece.Rounding);
+      }
+    }
+  }
+  const auto castsOnNothing = [&](const Light& light)
+  {
+    return light.AtEye ||
+      vtkshadows::CastsOnNothing(floor->PlaneWC, light.Ray, receivers, 2.0 * rounding);
+  };
+  if (!others.isEmpty && floor->VertexReach > WideFloorTimes * std::max(others.Diagonal(), reach) &&
+    std::all_of(this->Lights.begin(), this->Lights.end(), castsOnNothing))
+  {
+    floor->WideFloor = true;
+    floor->CornersWC = onPlane;
+    floor->VertexReach = reach;
+    floor->Rounding = rounding;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Positions are taken to be rounded by what the worst known prop is.
+void vtkShadowScene::Internals::FindCoarse()
+{
+  this->CoarseBefore = this->Coarse;
+  this->Coarse = nullptr;
+  const Piece* worst = nullptr;
+  vtkProp* owner = nullptr;
+  for (const Prop& prop : this->Props)
+  {
+    for (const Piece& piece : prop.Pieces)
+    {
+      if ((prop.Casts || prop.Receives) && (!worst || piece.Rounding > worst->Rounding))
+      {
+        worst = &piece;
+        owner = prop.Source;
+      }
+    }
+  }
+  vtkshadows::Box others;
+  for (const Prop& prop : this->Props)
+  {
+    for (const Piece& piece : prop.Pieces)
+    {
+      if (&piece != worst && !piece.WideFloor)
+      {
+        others.Add(piece.CornersWC);
+      }
+    }
+  }
+  if (worst && others.Diagonal() > 0.0 && worst->Rounding > others.Diagonal())
+  {
+    this->Coarse = owner;
+    this->CoarseRounding = worst->Rounding;
+    this->CoarseReach = worst->VertexReach;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowScene::Internals::StampCasters()
 {
   std::vector<std::uint64_t> signature;
@@ -631,6 +870,7 @@ void vtkShadowScene::Internals::StampCasters()
       for (const Piece& piece : prop.Pieces)
       {
         signature.insert(signature.end(), piece.Signature.begin(), piece.Signature.end());
+        Append(signature, piece.WideFloor); // then it is none
       }
     }
   }
@@ -654,6 +894,8 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
 {
   this->Internal->GatherLights(renderer);
   this->Internal->GatherProps(renderer);
+  this->Internal->FindWideFloor();
+  this->Internal->FindCoarse();
   this->Internal->StampCasters();
   for (vtkProp* prop : this->Internal->Unbounded)
   {
@@ -665,6 +907,15 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
            "what of it has none casts no shadow. Remove its points that are so far, or repair its "
            "matrix.");
     }
+  }
+  if (vtkProp* prop = this->Internal->Coarse; prop && prop != this->Internal->CoarseBefore)
+  {
+    vtkWarningMacro("The prop "
+      << prop->GetClassName() << " (" << prop << ") reaches to " << this->Internal->CoarseReach
+      << ", where floats are known to " << this->Internal->CoarseRounding
+      << ", more than all other props together are large: most techniques can tell nothing of "
+         "their shadows. Remove its points that are so far, or give it no part in shadows "
+         "(CASTS_SHADOWS and RECEIVES_SHADOWS 0).");
   }
   for (vtkProp* prop : this->Internal->Unfit)
   {

@@ -43,6 +43,11 @@ struct vtkShadowScene::Piece
   double Rounding = 0.0;
   // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
   glm::dvec4 PlaneWC{ 0.0 };
+  double PlaneRounding = 0.0; // how exactly it is known, along n
+  // A floor far wider than all else in the scene, which under none of the lights casts on anything.
+  // What receives on it is where a pixel's ray meets its plane, not where floats of its corners
+  // have it: VertexReach and Rounding are those of the plane and of what stands there.
+  bool WideFloor = false;
   // No texture, and no shader code of the user's, can cut holes in it.
   bool DrawnSolid = false;
   // Changes exactly when the piece's shape changes, in model coordinates.

@@ -36,7 +36,7 @@ void vtkShadowTextureBuffer::Upload(
   GLint before = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &before);
   glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-  glTexBuffer(GL_TEXTURE_BUFFER, components == 1 ? GL_R32F : GL_RG32F, this->Buffer);
+  glTexBuffer(GL_TEXTURE_BUFFER, components == 1 ? GL_R32F : GL_RGBA32F, this->Buffer);
   glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(before));
 }
 

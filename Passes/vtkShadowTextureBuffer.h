@@ -20,7 +20,7 @@ public:
   vtkShadowTextureBuffer(const vtkShadowTextureBuffer&) = delete;
   void operator=(const vtkShadowTextureBuffer&) = delete;
 
-  // Texels of `components` floats each, 1 or 2; what it held is gone. Not while it is bound.
+  // Texels of `components` floats each, 1 or 4; what it held is gone. Not while it is bound.
   void Upload(vtkOpenGLRenderWindow* window, int components, const std::vector<float>& values);
 
   // Texels that this driver's buffer textures have at most. A context must be current.

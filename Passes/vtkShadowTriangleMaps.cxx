@@ -1,6 +1,7 @@
 #include "vtkShadowTriangleMaps.h"
 
 #include "ShadowReach.h"
+#include "vtkShadowCasterGeometry.h"
 #include "vtkShadowCasterMesh.h"
 #include "vtkShadowDrawScope.h"
 #include "vtkShadowMatrix.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 using vtkshadows::LightCorner;
@@ -127,6 +129,23 @@ vtkShadowTriangleMaps::Caster& vtkShadowTriangleMaps::CasterOf(const vtkShadowSc
 }
 
 //------------------------------------------------------------------------------
+// How many triangles a prop has, at the most, without a look at its mesh.
+double vtkShadowTriangleMaps::ExpectedOf(const vtkShadowScene::Prop& prop)
+{
+  double triangles = 0.0;
+  for (const vtkShadowScene::Piece& piece : prop.Pieces)
+  {
+    if (!piece.DrawnSolid)
+    {
+      return 0.0; // drawn by its mapper
+    }
+    triangles += this->Expected.Of(
+      piece, [&piece]() { return vtkShadowCasterGeometry::SurveyOf(piece).Triangles; });
+  }
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowTriangleMaps::IsTriangles(const vtkShadowScene::Prop& prop)
 {
   return std::all_of(prop.Pieces.begin(), prop.Pieces.end(),
@@ -166,10 +185,12 @@ std::vector<std::size_t> vtkShadowTriangleMaps::Update(
 {
   const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
   this->Casters.BeginFrame(props);
+  this->Expected.BeginFrame(props);
   this->DrawnHere.assign(props.size(), 0);
   std::vector<std::vector<std::size_t>> propsOf(views.GetSlots().size());
   std::vector<std::size_t> rooms(views.GetSlots().size(), 0);
   std::size_t total = 0;
+  double expected = 0.0;
   for (std::size_t i = 0; i < propsOf.size(); ++i)
   {
     std::vector<std::size_t>& wanted = propsOf[i];
@@ -179,6 +200,26 @@ std::vector<std::size_t> vtkShadowTriangleMaps::Update(
     }
     std::sort(wanted.begin(), wanted.end());
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    for (const std::size_t prop : wanted)
+    {
+      expected += this->ExpectedOf(props[prop]);
+    }
+  }
+  const auto limit = static_cast<double>(std::min<std::size_t>(
+    vtkShadowTextureBuffer::LargestSize() / 3, vtkshadows::MostLightTriangles));
+  this->Fault.clear();
+  if (expected > limit)
+  {
+    // Their meshes would be gigabytes for nothing.
+    this->Fault = std::to_string(static_cast<std::int64_t>(expected)) +
+      " triangles of all lights, more than the " +
+      std::to_string(static_cast<std::int64_t>(limit)) + " that it takes here";
+    std::fill(propsOf.begin(), propsOf.end(), std::vector<std::size_t>());
+    this->Casters.BeginFrame({});
+  }
+  for (std::size_t i = 0; i < propsOf.size(); ++i)
+  {
+    std::vector<std::size_t>& wanted = propsOf[i];
     wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
                    [&](std::size_t prop) { return !this->IsTriangles(props[prop]); }),
       wanted.end());
@@ -192,17 +233,6 @@ std::vector<std::size_t> vtkShadowTriangleMaps::Update(
     total += rooms[i];
   }
 
-  this->Fault.clear();
-  const std::size_t limit = std::min<std::size_t>(
-    vtkShadowTextureBuffer::LargestSize() / 3, vtkshadows::MostLightTriangles);
-  if (total > limit)
-  {
-    this->Fault = std::to_string(total) + " triangles of all lights, more than the " +
-      std::to_string(limit) + " that it takes here";
-    total = 0;
-    std::fill(rooms.begin(), rooms.end(), std::size_t(0));
-    std::fill(propsOf.begin(), propsOf.end(), std::vector<std::size_t>());
-  }
   if (total > this->Capacity || total < this->Capacity / 4)
   {
     this->Capacity = total;

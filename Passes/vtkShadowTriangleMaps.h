@@ -108,6 +108,7 @@ private:
   };
 
   Caster& CasterOf(const vtkShadowScene::Piece& piece);
+  double ExpectedOf(const vtkShadowScene::Prop& prop);
   bool IsTriangles(const vtkShadowScene::Prop& prop);
   void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapViews& views,
     const vtkShadowMapSlot& slot, Part& part);
@@ -119,9 +120,10 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowTextureArray Numbers;
   vtkShadowByPiece<Caster> Casters;
-  std::vector<char> DrawnHere; // one a prop of this frame
-  std::vector<Part> Parts;     // one a slot
-  std::vector<Place> Places;   // one a layer
+  vtkShadowByPiece<double> Expected; // triangles
+  std::vector<char> DrawnHere;       // one a prop of this frame
+  std::vector<Part> Parts;           // one a slot
+  std::vector<Place> Places;         // one a layer
   std::string Fault;
   Shape Written;
   bool ShaderChanged = false;

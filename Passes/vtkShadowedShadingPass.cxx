@@ -13,6 +13,7 @@
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTechniquePass.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowWideFloors.h"
 #include "vtkShadowedShadingPassFS.h"
 
 #include "vtkActor.h"
@@ -171,6 +172,7 @@ vtkShadowedShadingPass::vtkShadowedShadingPass()
   : Catchers(new vtkShadowCatchers)
   , Falloffs(new vtkShadowLightFalloffs)
   , EyeFaces(new vtkShadowEyeFaces)
+  , WideFloors(new vtkShadowWideFloors)
 {
 }
 
@@ -240,6 +242,10 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
     casting.push_back(light.Technique != nullptr);
   }
   if (this->Catchers->Gather(frame, casting))
+  {
+    this->ShaderStage.Modified();
+  }
+  if (this->WideFloors->Gather(frame))
   {
     this->ShaderStage.Modified();
   }
@@ -500,7 +506,9 @@ void vtkShadowedShadingPass::DrawDepths(const vtkShadowFrame& frame,
   this->CasterCamera->SetView(view);
   this->CasterCamera->SetParallelProjection(eye->GetParallelProjection());
   frame.Renderer->SetActiveCamera(this->CasterCamera);
+  this->WideFloors->SetProjection(view.clipFromView);
   this->DrawReceivers(frame, stage, props);
+  this->WideFloors->SetProjection(frame.ClipFromView);
   frame.Renderer->SetActiveCamera(eye);
 }
 
@@ -560,11 +568,13 @@ void vtkShadowedShadingPass::PlacePositions(std::string& vertexShader, std::stri
       [&](std::size_t light) { return this->Tells(light, mapper, prop); });
   }
 
+  const bool isWideFloor = this->WideFloors->Has(mapper);
+  const char* place = isWideFloor ? vtkShadowWideFloors::PlaceCode() : "vertexVC";
   std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
   for (std::size_t n = 0; n < lookups.size(); ++n)
   {
     const std::string varying = PositionVarying(lookups[n]), matrix = MatrixUniform(lookups[n]);
-    if (isPlain && n < MostVaryings)
+    if (isPlain && !isWideFloor && n < MostVaryings)
     {
       vertexDeclarations << "uniform mat4 " << matrix << ";\nout vec4 " << varying << ";\n";
       vertexCode << "  " << varying << " = " << matrix << " * vertexVCVSOutput;\n";
@@ -573,8 +583,12 @@ void vtkShadowedShadingPass::PlacePositions(std::string& vertexShader, std::stri
     else
     {
       fragmentDeclarations << "uniform mat4 " << matrix << ";\n#define " << varying << " ("
-                           << matrix << " * vertexVC)\n";
+                           << matrix << " * " << place << ")\n";
     }
+  }
+  if (isWideFloor)
+  {
+    fragmentDeclarations << vtkShadowWideFloors::Declarations();
   }
   vtkShaderProgram::Substitute(vertexShader, VertexDeclarationMark, vertexDeclarations.str());
   vtkShaderProgram::Substitute(vertexShader, VertexMark, vertexCode.str());
@@ -685,8 +699,10 @@ std::string vtkShadowedShadingPass::OutputCode(const std::string& fragmentShader
 {
   if (this->CurrentStage == POSITIONS)
   {
+    const std::string place =
+      this->WideFloors->Has(mapper) ? vtkShadowWideFloors::PlaceCode() : "vertexVC";
     return isImpostor ? "  gl_FragData[0] = shadowReceiver(vertexVC.xyz, normalVCVSOutput);\n"
-                      : "  gl_FragData[0] = shadowReceiver(vertexVC.xyz);\n";
+                      : "  gl_FragData[0] = shadowReceiver(" + place + ".xyz);\n";
   }
   if (this->CurrentStage == VISIBILITY)
   {
@@ -779,6 +795,10 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
     {
       this->PlaceTexels(vertexShader, geometryShader, fragmentShader);
     }
+    if (!this->DrawsCasters() && this->WideFloors->Has(mapper))
+    {
+      this->PlaceDepth(fragmentShader);
+    }
     return true;
   }
   // VTK declares a position and colours of lights only where a primitive is lit.
@@ -838,6 +858,18 @@ void vtkShadowedShadingPass::PlaceTexels(
 }
 
 //------------------------------------------------------------------------------
+// The depth of a wide floor is that of its plane. What hides it is decided by VTK's own depth where
+// a pixel must be of what the frame shows.
+void vtkShadowedShadingPass::PlaceDepth(std::string& fragmentShader) const
+{
+  const std::string depth = vtkShadowWideFloors::DepthCode();
+  DeclareAhead(fragmentShader, vtkShadowWideFloors::Declarations());
+  AppendToMain(fragmentShader,
+    this->CurrentStage == COVERAGE ? "  gl_FragData[0].g = " + depth + ";\n"
+                                   : "  gl_FragDepth = " + depth + ";\n");
+}
+
+//------------------------------------------------------------------------------
 // What a pixel without a receiver says in this stage.
 std::string vtkShadowedShadingPass::NoReceiver() const
 {
@@ -892,6 +924,10 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   if (isCatcher && this->CurrentStage != SHADE)
   {
     this->State->vtkglDepthMask(GL_TRUE);
+  }
+  if (this->WideFloors->Has(mapper))
+  {
+    this->WideFloors->SetParameters(program, prop, this->State);
   }
   if (this->CurrentStage == DEPTHS || this->CurrentStage == COVERAGE)
   {

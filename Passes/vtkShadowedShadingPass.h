@@ -39,6 +39,7 @@ class vtkShadowCasterCamera;
 class vtkShadowCatchers;
 class vtkShadowEyeFaces;
 class vtkShadowLightFalloffs;
+class vtkShadowWideFloors;
 struct vtkShadowFrame;
 namespace vtkshadows
 {
@@ -173,6 +174,7 @@ private:
     vtkAbstractMapper* mapper, vtkProp* prop) const;
   std::string OutputCode(const std::string& fragmentShader, bool isImpostor,
     vtkAbstractMapper* mapper, vtkProp* prop) const;
+  void PlaceDepth(std::string& fragmentShader) const;
   std::string NoReceiver() const;
   void PlacePositions(std::string& vertexShader, std::string& fragmentShader, bool isPlain,
     vtkAbstractMapper* mapper, vtkProp* prop) const;
@@ -218,6 +220,7 @@ private:
   std::unique_ptr<vtkShadowCatchers> Catchers;
   std::unique_ptr<vtkShadowLightFalloffs> Falloffs;
   std::unique_ptr<vtkShadowEyeFaces> EyeFaces;
+  std::unique_ptr<vtkShadowWideFloors> WideFloors;
   bool CullHiddenFaces = false;
   std::string FalloffFault; // as it was last told
   bool DepthClamped = false;

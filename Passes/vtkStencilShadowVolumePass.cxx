@@ -320,11 +320,13 @@ bool vtkStencilShadowVolumePass::CountVolumes(
   for (const Caster& caster : my.Casters)
   {
     const vtkshadows::BoxCorners& corners = caster.Piece->CornersWC;
-    if (this->Culling &&
-      (!vtkshadows::ShadowMayBeSeen(my.Eye.ClipFromWorld, lightWC, corners) ||
-        !vtkshadows::ShadowMayReach(my.ReceiverBox, lightWC, corners) ||
-        vtkshadows::CastsOnNothing(caster.Piece->PlaneWC, light, my.Receivers,
-          2.0 * std::max(my.ReceiverRounding, caster.Piece->Rounding))))
+    // Receivers on a wide floor are on its plane, but its caps would be where VTK draws it.
+    if (caster.Piece->WideFloor ||
+      (this->Culling &&
+        (!vtkshadows::ShadowMayBeSeen(my.Eye.ClipFromWorld, lightWC, corners) ||
+          !vtkshadows::ShadowMayReach(my.ReceiverBox, lightWC, corners) ||
+          vtkshadows::CastsOnNothing(caster.Piece->PlaneWC, light, my.Receivers,
+            2.0 * std::max(my.ReceiverRounding, caster.Piece->Rounding)))))
     {
       ++this->NumberOfCulledCasters;
       continue;

@@ -3,6 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <limits>
 
@@ -59,6 +60,13 @@ void AddMatrices(ExtremeCaseList& cases)
       {
         GiveMatrix(scene.parts[i], glm::scale(one, glm::dvec3(1e-6, 1e6, 1.0)));
       }
+    });
+  cases.Add("matrix", "that turns a floor wider by 1e+06", true,
+    [=](ExtremeScene& scene)
+    {
+      scene.parts[Floor].mesh = MakeFloor(2.5e6);
+      GiveMatrix(scene.parts[Floor],
+        glm::rotate(one, glm::radians(40.0), glm::normalize(glm::dvec3(0.5, 1.0, -0.3))));
     });
   const struct
   {

@@ -11,7 +11,7 @@ uniform usampler2DArray shadowObjectMaps;
 struct shadowObjectTexels
 {
   ivec4 ids;
-  vec4 depths; // within the ranges of these IDs
+  vec4 ways; // within the ranges of these IDs
 };
 
 // The texels (0,1), (1,1), (1,0), (0,0) beside the corner at `corner` (in texels).
@@ -31,7 +31,7 @@ shadowObjectTexels shadowObjectMapGather(int layer, vec2 corner)
   vec2 c = texelFetch(shadowObjectMaps, ivec3(high.x, low.y, layer), 0).rg;
   vec2 d = texelFetch(shadowObjectMaps, ivec3(low, layer), 0).rg;
   texels.ids = ivec4(a.x, b.x, c.x, d.x);
-  texels.depths = vec4(a.y, b.y, c.y, d.y);
+  texels.ways = vec4(a.y, b.y, c.y, d.y);
 #else
   uvec4 codes = uvec4(texelFetch(shadowObjectMaps, ivec3(low.x, high.y, layer), 0).r,
     texelFetch(shadowObjectMaps, ivec3(high, layer), 0).r,
@@ -41,10 +41,10 @@ shadowObjectTexels shadowObjectMapGather(int layer, vec2 corner)
 #endif
 #if SHADOW_OBJECT_BITS == 0
   texels.ids = ivec4(codes);
-  texels.depths = vec4(0.0);
+  texels.ways = vec4(0.0);
 #elif SHADOW_OBJECT_BITS < 32
   texels.ids = ivec4(codes >> SHADOW_OBJECT_BITS);
-  texels.depths = vec4(codes & uint(SHADOW_OBJECT_STEPS)) / float(SHADOW_OBJECT_STEPS);
+  texels.ways = vec4(codes & uint(SHADOW_OBJECT_STEPS)) / float(SHADOW_OBJECT_STEPS);
 #endif
   return texels;
 }
@@ -52,9 +52,16 @@ shadowObjectTexels shadowObjectMapGather(int layer, vec2 corner)
 // The same, as depths of the map. Without stored depths: the nearest of each object.
 vec4 shadowObjectMapDepths(int layer, shadowObjectTexels texels)
 {
-  vec2 a = shadowObjectRange(layer, texels.ids.x), b = shadowObjectRange(layer, texels.ids.y);
-  vec2 c = shadowObjectRange(layer, texels.ids.z), d = shadowObjectRange(layer, texels.ids.w);
-  return vec4(a.x, b.x, c.x, d.x) + vec4(a.y, b.y, c.y, d.y) * texels.depths;
+  vec3 a = shadowObjectRange(layer, texels.ids.x), b = shadowObjectRange(layer, texels.ids.y);
+  vec3 c = shadowObjectRange(layer, texels.ids.z), d = shadowObjectRange(layer, texels.ids.w);
+  vec4 nearest = vec4(a.x, b.x, c.x, d.x);
+#if SHADOW_OBJECT_BITS == 0
+  return nearest;
+#else
+  vec4 way = texels.ways;
+  vec4 share = way / (way + vec4(a.z, b.z, c.z, d.z) * (1.0 - way));
+  return nearest + vec4(a.y, b.y, c.y, d.y) * share;
+#endif
 }
 
 // The four texels around p, tested at their own centres.
@@ -81,8 +88,8 @@ float shadowObjectMapTest(int layer, vec3 p, vec2 slope)
 
 float shadowObjectMapCompare(int layer, vec3 p, vec2 slope)
 {
-  // A depth that was put together from a range has two roundings more, of half the last place of 1 each.
-  p.z -= 1.1920929e-7;
+  // A depth that was put together from a range has roundings more, up to four times half the last place of 1.
+  p.z -= 2.3841858e-7;
 #if SHADOW_OBJECT_TAPS <= 2
   return shadowObjectMapTest(layer, p, slope);
 #else
