@@ -69,7 +69,7 @@ public:
 
   enum CascadeSchemeType
   {
-    // LOGARITHMIC and UNIFORM, blended by the weight, from no nearer than a 640th of the way
+    // LOGARITHMIC and UNIFORM, blended by the weight, from no nearer than a 700th of the way
     PRACTICAL = 0,
     LOGARITHMIC = 1, // each cascade reaches as many times as far as the one before it
     UNIFORM = 2      // each reaches farther by the same distance

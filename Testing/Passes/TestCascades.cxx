@@ -214,7 +214,7 @@ TEST_F(Cascades, SoftShadows)
     vtkNew<vtkShadowErrorMeasure> error;
     ASSERT_TRUE(error->Measure(this->Renderer, sun));
     CheckAtMost("azimuth " + std::to_string(azimuth) + ": mean difference",
-      error->GetMeanAbsoluteDifference(), 0.02);
+      error->GetMeanAbsoluteDifference(), 0.004);
   }
 }
 
