@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,15 @@ constexpr double SameTexel = 1.0e-9;
 
 // Fewer texels than these are all margin.
 constexpr double FewestTexels = 8.0;
+
+// A texel's shorter side is no shorter, as a share of the longer one.
+constexpr double LeastShare = 1.0 / 64.0;
+
+// Of these shares, steps to a doubling.
+constexpr double StepsOfShares = 8.0;
+
+// The practical scheme starts no nearer than this share of where it ends.
+constexpr double NearestShare = 1.0 / 700.0;
 
 // The sides of a confined view lie on a grid of this many steps.
 constexpr double ConfinementSteps = 16.0;
@@ -108,16 +118,17 @@ void DistancesFrom(
   }
 }
 
-// Of steps by two and by its root: what is made from them stays while the eye moves a little. No
-// step is a round number, which rounding would put now on this side of it and now on that.
+// Of steps by two, or of so many to a doubling: what is made from them stays while the eye or a
+// receiver moves a little. No step is a round number, which rounding would put now on this side of
+// it and now on that.
 constexpr double StepOffset = 0.4;
 double StepBelow(double x)
 {
   return std::exp2(std::floor(std::log2(x) - StepOffset) + StepOffset);
 }
-double HalfStepAbove(double x)
+double StepAbove(double x, double perDoubling)
 {
-  return std::exp2(0.5 * std::ceil(2.0 * (std::log2(x) - StepOffset)) + StepOffset);
+  return std::exp2(std::ceil(perDoubling * (std::log2(x) - StepOffset)) / perDoubling + StepOffset);
 }
 
 // To a multiple of 2^-24 of itself or less, so that nearly equal eyes mostly have equal texels.
@@ -125,6 +136,55 @@ double Rounded(double x)
 {
   const double unit = std::ldexp(StepBelow(x), -24);
   return std::ceil(x / unit) * unit;
+}
+
+// What receivers can lie in of a ball, along the light's axes across its way; along its way the
+// ball's own bounds. One place, where they can lie nowhere in it.
+LightBounds BoundsInBall(
+  const glm::dmat3& lightFromWorld, const glm::dvec3& centreWC, double radius, const Box& receivers)
+{
+  const glm::dmat3 worldFromLight = glm::transpose(lightFromWorld);
+  const glm::dvec3 centre = lightFromWorld * centreWC;
+  const glm::dvec3 low = receivers.minimum - centreWC, high = receivers.maximum - centreWC;
+  LightBounds bounds{ centre - radius, centre + radius };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double up = ReachInBall(worldFromLight[axis], radius, low, high);
+    const double down = ReachInBall(-worldFromLight[axis], radius, low, high);
+    bounds.low[axis] = centre[axis] - (std::isfinite(down) ? down : 0.0);
+    bounds.high[axis] = centre[axis] + (std::isfinite(up) ? up : 0.0);
+  }
+  return bounds;
+}
+
+// How long these bounds can be, wherever the ball stands, as shares of its diameter. They are
+// longest where it stands amid the receivers: both it and the box are as they are when turned
+// about their middles, so that what they share there holds the mean of what they share with the
+// ball to one side of it and to the other.
+glm::dvec3 SharesOfBall(const glm::dmat3& lightFromWorld, double radius, const Box& receivers)
+{
+  const glm::dmat3 worldFromLight = glm::transpose(lightFromWorld);
+  const glm::dvec3 half = 0.5 * (receivers.maximum - receivers.minimum);
+  glm::dvec3 shares(1.0);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double share = ReachInBall(worldFromLight[axis], radius, -half, half) / radius;
+    shares[axis] = std::min(StepAbove(std::max(share, LeastShare), StepsOfShares), 1.0);
+  }
+  return shares;
+}
+
+bool AreSame(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return glm::all(glm::lessThan(glm::abs(a / b - 1.0), glm::dvec3(SameTexel)));
+}
+
+// Whether a map of `texels` texels a side holds all of it.
+bool Holds(const Cascade& cascade, const LightBounds& bounds, double texels)
+{
+  const glm::dvec3 centre = cascade.centre * cascade.sides, half = 0.5 * texels * cascade.sides;
+  return glm::all(glm::greaterThanEqual(bounds.low, centre - half)) &&
+    glm::all(glm::lessThanEqual(bounds.high, centre + half));
 }
 
 Cascade WholeScene(const LightView& whole, std::size_t casters, double texel)
@@ -144,16 +204,16 @@ Cascade WholeScene(const LightView& whole, std::size_t casters, double texel)
 void FitBox(Cascade& cascade, const glm::dmat3& lightFromWorld,
   const std::vector<LightBounds>& casters, int resolution)
 {
-  const glm::dvec3 centre = cascade.centre * cascade.texel;
-  const double half = 0.5 * resolution * cascade.texel;
-  const double farthest = half - centre.z; // along the light
+  const glm::dvec3 centre = cascade.centre * cascade.sides;
+  const glm::dvec3 half = 0.5 * resolution * cascade.sides;
+  const double farthest = half.z - centre.z; // along the light
   double nearDepth = Infinity, farDepth = -Infinity;
   cascade.casters.clear();
   for (std::size_t i = 0; i < casters.size(); ++i)
   {
     const LightBounds& box = casters[i];
-    if (box.high.x >= centre.x - half && box.low.x <= centre.x + half &&
-      box.high.y >= centre.y - half && box.low.y <= centre.y + half && -box.high.z <= farthest)
+    if (box.high.x >= centre.x - half.x && box.low.x <= centre.x + half.x &&
+      box.high.y >= centre.y - half.y && box.low.y <= centre.y + half.y && -box.high.z <= farthest)
     {
       cascade.casters.push_back(i);
       nearDepth = std::min(nearDepth, -box.high.z);
@@ -161,12 +221,13 @@ void FitBox(Cascade& cascade, const glm::dmat3& lightFromWorld,
     }
   }
   farDepth = std::min(farDepth, farthest);
-  const double slack = half / 1024.0; // so that a flat caster has a depth range, too
+  const double slack = half.z / 1024.0; // so that a flat caster has a depth range, too
   cascade.view.parallel = true;
+  cascade.view.fillsMap = true;
   cascade.view.viewFromWorld = glm::dmat4(lightFromWorld);
   cascade.view.viewFromWorld[3] = glm::dvec4(-centre.x, -centre.y, nearDepth - slack, 1.0);
   cascade.view.clipFromView =
-    glm::ortho(-half, half, -half, half, 0.0, farDepth - nearDepth + 2.0 * slack);
+    glm::ortho(-half.x, half.x, -half.y, half.y, 0.0, farDepth - nearDepth + 2.0 * slack);
 }
 
 }
@@ -178,12 +239,14 @@ std::vector<double> CascadeReaches(
   const double logarithmic = scheme == CascadeScheme::Logarithmic ? 1.0
     : scheme == CascadeScheme::Uniform                            ? 0.0
                                                                   : weight;
+  const double start =
+    scheme == CascadeScheme::Practical ? std::max(nearest, NearestShare * farthest) : nearest;
   std::vector<double> reaches;
   for (int i = 1; i <= count; ++i)
   {
     const double share = static_cast<double>(i) / count;
-    reaches.push_back(logarithmic * nearest * std::pow(farthest / nearest, share) +
-      (1.0 - logarithmic) * (nearest + share * (farthest - nearest)));
+    reaches.push_back(logarithmic * start * std::pow(farthest / start, share) +
+      (1.0 - logarithmic) * (start + share * (farthest - start)));
   }
   return reaches;
 }
@@ -199,6 +262,28 @@ SliceBall BallOfSlice(double nearest, double farthest, double angle)
   ball.radius = std::sqrt(std::max(
     farthest * farthest + ball.centre * ball.centre - 2.0 * farthest * ball.centre * cosine, 0.0));
   return ball;
+}
+
+//------------------------------------------------------------------------------
+// By each pair of the box's sides the ball is cut to a slice, in which the farthest place lies on
+// the ball, straight along the way or on the rim of the cut.
+double ReachInBall(
+  const glm::dvec3& way, double radius, const glm::dvec3& low, const glm::dvec3& high)
+{
+  const glm::dvec3 farthest = glm::max(way * low, way * high);
+  double reach = std::min(radius, farthest.x + farthest.y + farthest.z);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double place = glm::clamp(radius * way[axis], low[axis], high[axis]);
+    if (!(std::abs(place) <= radius))
+    {
+      return -Infinity;
+    }
+    const double beside = std::max(1.0 - way[axis] * way[axis], 0.0);
+    reach =
+      std::min(reach, way[axis] * place + std::sqrt(beside * (radius * radius - place * place)));
+  }
+  return reach;
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +321,7 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   { return 2.0 * (1.0 + GuardBand) * BallOfSlice(from, to, cone.angle).radius / texels; };
   double nearest = 0.0, farthest = 0.0;
   DistancesFrom(cone.tipWC, receivers, nearest, farthest);
-  const double end = std::min(HalfStepAbove(farthest), settings.farthest);
+  const double end = std::min(StepAbove(farthest, 2.0), settings.farthest);
   const double breakEven = wholeTexel / texelOf(0.0, 1.0);
   const bool endsInWhole = breakEven < WorthwhileGain * end;
   const double last = endsInWhole ? std::min(breakEven, end) : end;
@@ -260,8 +345,11 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   }
   const std::vector<double> reaches = CascadeReaches(
     count, std::min(StepBelow(nearest), last), last, settings.scheme, settings.weight);
-  const glm::dvec3 tip = result.lightFromWorld * cone.tipWC;
-  const glm::dvec3 axis = result.lightFromWorld * cone.axisWC;
+  Box everyone;
+  for (const BoxCorners& receiver : receivers)
+  {
+    everyone.Add(receiver);
+  }
   for (int i = 0; i < count; ++i)
   {
     if (i == count - 1 && endsInWhole)
@@ -273,23 +361,21 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
     const SliceBall ball = BallOfSlice(from, reaches[i], cone.angle);
     Cascade cascade;
     cascade.followsEye = true;
-    cascade.texel = Rounded(texelOf(from, reaches[i]));
+    cascade.sides = Rounded(texelOf(from, reaches[i])) *
+      SharesOfBall(result.lightFromWorld, ball.radius, everyone);
     cascade.reach = i == count - 1 ? Infinity : reaches[i];
-    const glm::dvec3 wanted = (tip + ball.centre * axis) / cascade.texel;
-    cascade.centre = glm::floor(wanted + 0.5);
+    const LightBounds held = BoundsInBall(
+      result.lightFromWorld, cone.tipWC + ball.centre * cone.axisWC, ball.radius, everyone);
     const Cascade* kept = before && before->lightFromWorld == result.lightFromWorld &&
         static_cast<std::size_t>(i) < before->cascades.size()
       ? &before->cascades[i]
       : nullptr;
-    if (kept && kept->followsEye && std::abs(kept->texel / cascade.texel - 1.0) < SameTexel)
-    {
-      cascade.texel = kept->texel;
-      const glm::dvec3 away = glm::abs(wanted - kept->centre) + ball.radius / cascade.texel;
-      if (std::max({ away.x, away.y, away.z }) <= 0.5 * texels)
-      {
-        cascade.centre = kept->centre;
-      }
-    }
+    const bool isSameSize = kept && kept->followsEye && AreSame(kept->sides, cascade.sides);
+    cascade.sides = isSameSize ? kept->sides : cascade.sides;
+    cascade.texel = std::max(cascade.sides.x, cascade.sides.y);
+    cascade.centre = isSameSize && Holds(*kept, held, texels)
+      ? kept->centre
+      : glm::floor(0.5 * (held.low + held.high) / cascade.sides + 0.5);
     FitBox(cascade, result.lightFromWorld, bounds, resolution);
     result.cascades.push_back(cascade);
   }

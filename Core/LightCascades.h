@@ -7,7 +7,8 @@
 // texels have one size and one orientation, that of the light, and lie on a grid fixed in the world
 // (Valient 2008), so that its map can follow the eye by whole texels. It is larger than what the
 // eye sees by a guard band, and follows only when that is used up: until then its map stays as it
-// is.
+// is. What the eye sees is a ball, cut by the bounds of what receives: under a low sun ground is
+// foreshortened, and a texel has one side longer than the other.
 #ifndef vtkshadows_LightCascades_h
 #define vtkshadows_LightCascades_h
 
@@ -31,8 +32,8 @@ struct CascadeSettings
 {
   int count = 1; // at most; 1 to MostCascades
   CascadeScheme scheme = CascadeScheme::Practical;
-  double weight = 0.98; // of the logarithmic scheme in the practical one, 0 to 1
-  double blend = 0.1;   // share of a cascade's reach over which it blends into the next, 0 to 1
+  double weight = 1.0; // of the logarithmic scheme in the practical one, 0 to 1
+  double blend = 0.1;  // share of a cascade's reach over which it blends into the next, 0 to 1
   // Beyond this distance from the eye nothing is in shadow, whatever casts: above 0.
   double farthest = std::numeric_limits<double>::infinity();
 };
@@ -50,7 +51,10 @@ struct Cascade
   double reach = std::numeric_limits<double>::infinity(); // distance from the eye that it ends at
   bool followsEye = false;                                // else it is the view of all casters
   double texel = 0.0;                                     // its longer side, world units
-  glm::dvec3 centre{ 0.0 };         // what it stands around, in texels along the light's axes
+  // Of one that follows the eye: a texel's sides along the light's axes, the third a step of depth;
+  // and what it stands around, in these.
+  glm::dvec3 sides{ 1.0 };
+  glm::dvec3 centre{ 0.0 };
   std::vector<std::size_t> casters; // those that lie in it, by their place in the list
 };
 
@@ -62,6 +66,8 @@ struct LightCascades
 };
 
 // Distances from the eye at which `count` cascades end, from `nearest` to `farthest`, both above 0.
+// The practical scheme starts no nearer than a 700th of `farthest`: what little lies nearer has the
+// first cascade, too.
 std::vector<double> CascadeReaches(
   int count, double nearest, double farthest, CascadeScheme scheme, double weight);
 
@@ -73,6 +79,12 @@ struct SliceBall
   double radius = 0.0;
 };
 SliceBall BallOfSlice(double nearest, double farthest, double angle);
+
+// How far along the unit vector `way` from the middle of a ball lies what is both in it and in a
+// box, whose corners are seen from there. An upper bound: the least that the box, and each pair of
+// its sides with the ball, allow. Minus infinity, if they are seen not to meet.
+double ReachInBall(
+  const glm::dvec3& way, double radius, const glm::dvec3& low, const glm::dvec3& high);
 
 // Fit cascades of `light` (directional) for maps of `resolution` texels a side, of which `margin`
 // stay free on each side. `whole` is the view that FitLightView gives for the same light and boxes:

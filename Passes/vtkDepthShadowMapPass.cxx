@@ -74,13 +74,20 @@ double NearOverFar(const vtkshadows::LightView& view)
   return view.parallel ? 1.0 : (clip[2][2] + 1.0) / (clip[2][2] - 1.0);
 }
 
-// Texels that the light's disc spans from its middle to its rim, per depth between what blocks and
-// what receives, in a map of `width` texels: the same at every depth, for in the map the cone to
-// the disc is straight.
+// Texels along the second side of a map for one along its first: 1, unless it is filled.
+double TexelsAlong(const vtkshadows::LightView& view)
+{
+  const glm::dmat4& clip = view.clipFromView;
+  return view.fillsMap ? clip[1][1] / clip[0][0] : 1.0;
+}
+
+// Texels that the light's disc spans from its middle to its rim, along the side that has more, per
+// depth between what blocks and what receives, in a map of `width` texels: the same at every depth,
+// for in the map the cone to the disc is straight.
 double PenumbraOf(const vtkshadows::LightView& view, double radius, int width)
 {
   const glm::dmat4& clip = view.clipFromView;
-  const double texels = 0.5 * clip[0][0] * width;
+  const double texels = 0.5 * clip[0][0] * width * std::max(TexelsAlong(view), 1.0);
   const double depth = 0.5 * std::abs(view.parallel ? clip[2][2] : clip[3][2]);
   return radius * texels / depth;
 }
@@ -431,7 +438,8 @@ bool vtkDepthShadowMapPass::UpdateVisibility(
       const int height = this->GetViews().HeightOf(view.View);
       const float reach = static_cast<float>(isAlone ? this->Resolution : my.SoftTexels);
       my.Views[view.Layer] = { static_cast<float>(PenumbraOf(view.View, slot.Light.radius, width)),
-        reach, static_cast<float>(NearOverFar(view.View)), 0.0f };
+        reach, static_cast<float>(NearOverFar(view.View)),
+        static_cast<float>(TexelsAlong(view.View)) };
       const float spare = static_cast<float>(0.5 - 0.5 * TightShare);
       if (isAlone)
       {

@@ -69,7 +69,8 @@ public:
 
   enum CascadeSchemeType
   {
-    PRACTICAL = 0,   // LOGARITHMIC and UNIFORM, blended by the weight
+    // LOGARITHMIC and UNIFORM, blended by the weight, from no nearer than a 700th of the way
+    PRACTICAL = 0,
     LOGARITHMIC = 1, // each cascade reaches as many times as far as the one before it
     UNIFORM = 2      // each reaches farther by the same distance
   };
@@ -79,7 +80,7 @@ public:
    * How cascades split the distances between the camera's near plane (or the nearest receiver's
    * bounds) and where they end: one of CascadeSchemeType (default PRACTICAL), or its name
    * ("practical", "logarithmic", "uniform"); and the share of LOGARITHMIC in PRACTICAL, 0 to 1
-   * (default 0.98). Else an error, and nothing changes.
+   * (default 1). Else an error, and nothing changes.
    */
   void SetCascadeScheme(int scheme);
   void SetCascadeScheme(const std::string& name);
@@ -222,7 +223,7 @@ protected:
   int Resolution = 2048;
   int NumberOfCascades = 1;
   int CascadeScheme = PRACTICAL;
-  double CascadeWeight = 0.98;
+  double CascadeWeight = 1.0;
   double CascadeBlend = 0.1;
   bool ConfineToView = false;
   vtkIdType NumberOfMapBuilds = 0;

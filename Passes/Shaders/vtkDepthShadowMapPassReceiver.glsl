@@ -10,7 +10,8 @@
 
 // Of each layer: x texels that the light's disc spans, from its middle to its rim, per depth between blocker and
 // receiver; y the most texels that a kernel may reach; z the near plane's distance over the far one's, 1 if the
-// light is directional.
+// light is directional; w texels along the second side for one along the first. x and y count those of the side
+// that has more.
 uniform vec4 shadowDepthMapViews[SHADOW_DEPTH_MAP_LAYERS];
 
 // Off the map nothing casts; one texel that stays in the cache stands for all of that.

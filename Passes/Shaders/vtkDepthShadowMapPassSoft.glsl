@@ -9,6 +9,8 @@
 // those taps alone at which nothing nearer stands before it, and what all leave free is the product: the
 // product-limit estimate of censored data (E. Kaplan, P. Meier 1958). With all blockers at one depth it is the
 // mean over one kernel.
+//
+// Where texels have two sides, lengths are in the shorter one, of which there are more.
 float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
 {
   vec4 view = shadowDepthMapViews[layer];
@@ -19,6 +21,8 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   }
 
   vec2 turn = shadowDepthMapTurn();
+  vec2 texels = min(vec2(1.0 / view.w, view.w), 1.0); // for each of the lengths
+  float texel = 1.0 / min(texels.x, texels.y);
   vec3 before = vec3(p.xy, p.z - shadowDepthMapSlack(slope, 0.5));
   vec2 plane = shadowDepthMapTilt(slope);
   vec4 nearest = vec4(1.0), farthest = vec4(0.0);
@@ -30,9 +34,9 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     offset *= share;
     vec4 receiver;
     vec2 f;
-    vec4 depth = shadowDepthMapAround(layer, before, plane, offset, receiver, f);
+    vec4 depth = shadowDepthMapAround(layer, before, plane, offset * texels, receiver, f);
     // A texel's width to spare, for the blocker's edge may lie anywhere in it.
-    vec4 cone = vec4(before.z - (length(offset) - 1.0) / view.x);
+    vec4 cone = vec4(before.z - (length(offset) - texel) / view.x);
     vec4 blocks = vec4(lessThan(depth, min(min(receiver, cone), 1.0)));
     nearest = min(nearest, mix(vec4(1.0), depth, blocks));
     farthest = max(farthest, depth * blocks);
@@ -67,7 +71,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     radius *= widest;
     vec4 receiver;
     vec2 f;
-    vec4 depth = shadowDepthMapAround(layer, before, plane, radius * way, receiver, f);
+    vec4 depth = shadowDepthMapAround(layer, before, plane, radius * way * texels, receiver, f);
     vec2 g = 1.0 - f;
     vec4 parts = vec4(g.x * f.y, f.x * f.y, f.x * g.y, g.x * g.y) *
       vec4(lessThan(depth, min(receiver, 1.0)));

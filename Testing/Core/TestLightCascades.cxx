@@ -31,17 +31,19 @@ BoxCorners BoxOf(const glm::dvec3& low, const glm::dvec3& high)
   return box.Corners();
 }
 
-// A country 10 km wide with a thousand houses, and the sun.
+// A country 10 km wide with a thousand houses, and the sun, about 20 degrees high.
 struct Country
 {
   ShadowLight sun;
   std::vector<BoxCorners> boxes;
+  Box everyone;
   LightView whole;
 
-  explicit Country(double size = 1.0e4, const glm::dvec3& offset = glm::dvec3(0.0))
+  explicit Country(double size = 1.0e4, const glm::dvec3& offset = glm::dvec3(0.0),
+    const glm::dvec3& sunlight = glm::dvec3(0.7, 0.4, -0.3))
   {
     this->sun.kind = LightKind::Directional;
-    this->sun.direction = glm::normalize(glm::dvec3(0.7, 0.4, -0.3));
+    this->sun.direction = glm::normalize(sunlight);
     const double half = 0.5 * size;
     this->boxes.push_back(
       BoxOf(offset - glm::dvec3(half, half, 0.01 * size), offset + glm::dvec3(half, half, 0.0)));
@@ -51,6 +53,10 @@ struct Country
     {
       const glm::dvec3 place = offset + glm::dvec3(any(random), any(random), 0.0);
       this->boxes.push_back(BoxOf(place, place + 0.001 * size * glm::dvec3(1.0)));
+    }
+    for (const BoxCorners& box : this->boxes)
+    {
+      this->everyone.Add(box);
     }
     const LightViewResult fitted =
       FitLightView(this->sun, this->boxes, this->boxes, Margin / Resolution);
@@ -116,12 +122,14 @@ TEST(LightCascades, EndAtADistance)
       0.7 * whole.cascades[i].texel);
     EXPECT_LT(ending.cascades[i].texel, 0.7 * whole.cascades[i].texel);
   }
-  // What the eye sees within the distance lies in the last map.
+  // Receivers that the eye sees within the distance lie in the last map.
   for (const double x : { -1.0, 0.0, 1.0 })
   {
-    for (const double y : { -1.0, 0.0, 1.0 })
+    for (const double y : { -1.0, -0.5, 0.0 })
     {
-      const glm::dvec3 texel = Texel(ending.cascades[2].view, Seen(eye, x, y, 149.0));
+      const glm::dvec3 seen = Seen(eye, x, y, 149.0);
+      ASSERT_TRUE(country.everyone.Holds(seen));
+      const glm::dvec3 texel = Texel(ending.cascades[2].view, seen);
       EXPECT_GE(std::min(texel.x, texel.y), Margin) << x << ", " << y;
       EXPECT_LE(std::max(texel.x, texel.y), Resolution - Margin) << x << ", " << y;
     }
@@ -138,6 +146,12 @@ TEST(LightCascades, Schemes)
     EXPECT_NEAR(even[i], 1.0 + 20.0 * (i + 1), 1e-9);
     EXPECT_NEAR(steep[i], std::pow(3.0, i + 1), 1e-9);
     EXPECT_NEAR(blended[i], 0.25 * steep[i] + 0.75 * even[i], 1e-9);
+  }
+  // No cascade is spent on what is too near to matter.
+  const auto far = CascadeReaches(4, 1.0e-3, 700.0, CascadeScheme::Practical, 1.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(far[i] / std::pow(700.0, 0.25 * (i + 1)), 1.0, 1e-9);
   }
 }
 
@@ -168,19 +182,59 @@ TEST(LightCascades, BallsOfSlices)
   }
 }
 
+// Of the points that a ball and a box share none lies farther; and along a direction to a side of
+// the box, or where the box does not cut the ball, one lies as far.
+TEST(LightCascades, ReachInBalls)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto place = [&]() { return glm::dvec3(any(random), any(random), any(random)); };
+  int shared = 0, apart = 0;
+  for (int round = 0; round < 300; ++round)
+  {
+    const glm::dvec3 a = 1.5 * place(), b = 1.5 * place();
+    const glm::dvec3 low = glm::min(a, b), high = glm::max(a, b), way = glm::normalize(place());
+    const double reach = ReachInBall(way, 1.0, low, high);
+    for (int i = 0; i < 200; ++i)
+    {
+      const glm::dvec3 p = glm::mix(low, high, 0.5 * (place() + 1.0));
+      if (glm::length(p) <= 1.0)
+      {
+        ++shared;
+        EXPECT_LE(glm::dot(way, p), reach + 1e-12);
+      }
+    }
+    apart += std::isinf(reach) ? 1 : 0;
+  }
+  EXPECT_GT(shared, 5000);
+  EXPECT_GT(apart, 10);
+
+  const glm::dvec3 wide(9.0), slab(9.0, 9.0, 0.3),
+    slant = glm::normalize(glm::dvec3(1.0, 2.0, 5.0));
+  EXPECT_NEAR(ReachInBall(slant, 2.0, -wide, wide), 2.0, 1e-12);
+  EXPECT_NEAR(ReachInBall({ 0.0, 0.0, 1.0 }, 2.0, -slab, slab), 0.3, 1e-12);
+  EXPECT_NEAR(ReachInBall({ 1.0, 0.0, 0.0 }, 2.0, -slab, slab), 2.0, 1e-12);
+  const double beside = std::sqrt(5.0 / 30.0), up = std::sqrt(25.0 / 30.0);
+  EXPECT_NEAR(
+    ReachInBall(slant, 2.0, -slab, slab), beside * std::sqrt(4.0 - 0.3 * 0.3) + up * 0.3, 1e-12);
+  EXPECT_NEAR(ReachInBall(slant, 20.0, -slab, slab), glm::dot(slant, slab), 1e-12);
+}
+
 TEST(LightCascades, WhatIsSeenLiesInItsCascade)
 {
-  const Country country;
+  const Country highSun, lowSun(1.0e4, glm::dvec3(0.0), { 0.7, 0.4, -0.1 });
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (int round = 0; round < 50; ++round)
   {
+    const Country& country = round % 2 == 0 ? highSun : lowSun;
     const CascadeEye eye =
       EyeAt({ 3000.0 * any(random), 3000.0 * any(random), 2.0 }, 3.1 * any(random));
     const CascadeSettings settings = Cascades(4);
     const LightCascades light = country.Fit(eye, settings);
     ASSERT_EQ(light.cascades.size(), 4u);
     double from = 0.0, texel = 0.0;
+    int receivers = 0;
     for (const Cascade& cascade : light.cascades)
     {
       EXPECT_GT(cascade.texel, texel);
@@ -194,7 +248,13 @@ TEST(LightCascades, WhatIsSeenLiesInItsCascade)
       for (int i = 0; i < 100; ++i)
       {
         const double distance = from + (cascade.reach - from) * std::abs(any(random));
-        const glm::dvec3 p = Texel(cascade.view, Seen(eye, any(random), any(random), distance));
+        const glm::dvec3 seen = Seen(eye, any(random), any(random), distance);
+        if (!country.everyone.Holds(seen))
+        {
+          continue;
+        }
+        ++receivers;
+        const glm::dvec3 p = Texel(cascade.view, seen);
         EXPECT_TRUE(p.x >= Margin && p.x <= Resolution - Margin && p.y >= Margin &&
           p.y <= Resolution - Margin)
           << "a receiver at " << distance << " lies at " << p.x << ", " << p.y;
@@ -202,6 +262,7 @@ TEST(LightCascades, WhatIsSeenLiesInItsCascade)
       }
       from = cascade.reach * (1.0 - settings.blend);
     }
+    EXPECT_GT(receivers, 100);
     EXPECT_FALSE(light.cascades.back().followsEye);
   }
 }
@@ -255,7 +316,8 @@ TEST(LightCascades, TexelsStayInTheWorld)
       for (std::size_t i = 0; i + 1 < first.cascades.size(); ++i)
       {
         EXPECT_NEAR(other.cascades[i].reach / first.cascades[i].reach, 1.0, 1e-9);
-        EXPECT_NEAR(other.cascades[i].texel / first.cascades[i].texel, 1.0, 1e-9);
+        EXPECT_NEAR(other.cascades[i].sides.x / first.cascades[i].sides.x, 1.0, 1e-9);
+        EXPECT_NEAR(other.cascades[i].sides.y / first.cascades[i].sides.y, 1.0, 1e-9);
         const glm::dvec3 p = offset + glm::dvec3(17.0, 3.0, 1.0);
         const glm::dvec3 shift =
           Texel(other.cascades[i].view, p) - Texel(first.cascades[i].view, p);
@@ -266,6 +328,50 @@ TEST(LightCascades, TexelsStayInTheWorld)
     }
     EXPECT_GT(refitted, 100);
   }
+}
+
+// Ground is foreshortened by the sine of the sun's height: from where on it is wider than high, a
+// texel has one side shorter. Alike at every offset and wherever the eye looks, and at scales that
+// are powers of two, of which the steps are that sizes are rounded to.
+TEST(LightCascades, TexelsHaveTwoSides)
+{
+  const glm::dvec3 sunlight(0.7, 0.4, -0.1); // 7 degrees high
+  std::vector<glm::dvec3> expected;
+  struct
+  {
+    double scale;
+    glm::dvec3 offset;
+  } const placements[] = { { 1.0, glm::dvec3(0.0) }, { std::exp2(-20.0), glm::dvec3(0.0) },
+    { std::exp2(20.0), glm::dvec3(0.0) }, { 1.0, { 1.0e6, -1.0e6, 1.0e6 } } };
+  for (const auto& placement : placements)
+  {
+    const Country country(1.0e4 * placement.scale, placement.offset, sunlight);
+    for (double turn = 0.0; turn < 6.0; turn += 0.5)
+    {
+      const glm::dvec3 place =
+        placement.offset + placement.scale * glm::dvec3(100.0 * turn, -200.0, 2.0 + turn);
+      const LightCascades light =
+        country.Fit(EyeAt(place, turn, 0.5 * placement.scale), Cascades(4));
+      ASSERT_EQ(light.cascades.size(), 4u);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const glm::dvec3 sides = light.cascades[i].sides / placement.scale;
+        if (expected.size() < 3)
+        {
+          expected.push_back(sides);
+          std::printf("cascade %zu: texels of %g by %g\n", i, sides.x, sides.y);
+        }
+        for (int axis = 0; axis < 2; ++axis)
+        {
+          EXPECT_NEAR(sides[axis] / expected[i][axis], 1.0, 1e-8) << i << ' ' << placement.scale;
+        }
+        EXPECT_EQ(
+          light.cascades[i].texel, std::max(light.cascades[i].sides.x, light.cascades[i].sides.y));
+      }
+    }
+  }
+  EXPECT_EQ(expected[0].x, expected[0].y) << "a ball smaller than the receivers' heights";
+  EXPECT_LT(std::min(expected[2].x, expected[2].y), 0.5 * std::max(expected[2].x, expected[2].y));
 }
 
 // While the guard band lasts the views are the very same ones.
