@@ -2,16 +2,20 @@
 
     PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a /usr/bin/python3 Benchmark/map_costs.py
     ... Benchmark/map_costs.py --scenes terrain --rounds 60 --cascades 2,4,8
+    ... Benchmark/map_costs.py --scenes terrain,room --cpu
 
 Software OpenGL, 1024x768. Each comparison is of ways to draw one scene, of which the first is what the others are held
 against. All of them are timed in every round, so that they share the machine's moods; printed are medians of the
 rounds' ratios, and the mean, in which the frames count in which a map is drawn. Static: the light stands and the camera
 moves a little, as it does when someone looks about; every way sees the same views. Moving: the light moves, too.
+With --cpu the processor time of all threads is taken instead of the time on the clock: on a machine that does other
+things, too, its ratios are the steadier ones.
 A further comparison is a function that yields a scene, with its name, and the ways, in SCENES.
 """
 import argparse
 import math
 import statistics
+import time
 from typing import Any, NamedTuple
 
 import vtkshadows
@@ -177,7 +181,14 @@ def ratios(times):
     return medians, means
 
 
-def timed_in_turn(window, scene, passes, rounds, is_moving):
+def processor_time(window):
+    begin = time.process_time()
+    window.Render()
+    window.WaitForCompletion()
+    return 1e3 * (time.process_time() - begin)
+
+
+def timed_in_turn(window, scene, passes, rounds, is_moving, take):
     """Frame times of every way, by half steps of the camera, of which the second is timed: the first frame of a pass
     looks shaders up."""
     times = {name: [] for name in passes}
@@ -189,17 +200,17 @@ def timed_in_turn(window, scene, passes, rounds, is_moving):
             scene.move(i + 0.5)
             if is_moving:
                 shift_lights(scene.renderer, i)
-            seconds = timed(window)
+            milliseconds = take(window)
             if i >= WARM_UP:
-                times[name].append(seconds)
+                times[name].append(milliseconds)
     return times
 
 
-def compare(window, scene, rounds):
+def compare(window, scene, rounds, take):
     window.AddRenderer(scene.renderer)
     passes = {name: prepared(scene.renderer, way) for name, way in scene.ways.items()}
-    static = timed_in_turn(window, scene, passes, rounds, False)
-    moving = timed_in_turn(window, scene, passes, rounds, True)
+    static = timed_in_turn(window, scene, passes, rounds, False, take)
+    moving = timed_in_turn(window, scene, passes, rounds, True, take)
     for name, still, still_mean, moved in zip(passes, *ratios(static), ratios(moving)[0]):
         print(
             f"| {scene.name} | {name} | {statistics.median(static[name]):.1f} "
@@ -214,6 +225,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=30)
     parser.add_argument("--scenes", default=",".join(SCENES), help=f"of {', '.join(SCENES)}")
     parser.add_argument("--cascades", default="4", help="numbers of cascades, 1 to 8")
+    parser.add_argument("--cpu", action="store_true", help="processor time instead of the clock's")
     options = parser.parse_args()
     options.cascades = [int(count) for count in options.cascades.split(",")]
     window = vtkRenderWindow()
@@ -223,7 +235,7 @@ def main():
     print("| scene | way | static ms | static | static, of the means | moving |\n|---|---|---|---|---|---|")
     for name in options.scenes.split(","):
         for scene in SCENES[name](options):
-            compare(window, scene, options.rounds)
+            compare(window, scene, options.rounds, processor_time if options.cpu else timed)
 
 
 if __name__ == "__main__":

@@ -93,7 +93,8 @@ public:
   ///@{
   /**
    * The share of a cascade's reach over which it blends into the next, 0 (a seam) to 1 (default
-   * 0.1). There, both are looked up. Else an error, and nothing changes.
+   * 0.1): there, more and more pixels are looked up in the next, in a grain that is fixed on the
+   * screen. Else an error, and nothing changes.
    */
   void SetCascadeBlend(double blend);
   vtkGetMacro(CascadeBlend, double);

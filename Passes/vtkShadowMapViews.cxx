@@ -277,7 +277,7 @@ vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
   const vtkshadows::LightCascades& light = slot.Cascades;
   const std::size_t first = this->CascadeRows.size();
   const std::size_t firstReach = this->CascadeReaches.size();
-  // Nothing casts, and no end.
+  // Nothing casts.
   this->CascadeRows.resize(first + 2 * this->FittedTo.Cascades.count, { 0.0f, 0.0f, -1.0f, 0.0f });
   for (std::size_t i = first + 1; i < this->CascadeRows.size(); i += 2)
   {
@@ -304,7 +304,6 @@ vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
   {
     const double reach = light.cascades[i].reach / unit;
     this->CascadeReaches[firstReach + i / 4][i % 4] = static_cast<float>(reach * reach);
-    this->CascadeRows[first + 2 * i + 1][3] = static_cast<float>(1.0 / (reach * reach));
   }
   for (const vtkShadowMapView& placed : slot.Views)
   {

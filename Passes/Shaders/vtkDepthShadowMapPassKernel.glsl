@@ -1,11 +1,10 @@
 // Taps over a disc of texels, for the filters "disc" and "soft". Ahead of it stands SHADOW_DEPTH_MAP_TAPS.
-// H. Vogel 1979: points spread evenly over a disc; J. Jimenez 2014: the noise that turns them from pixel to pixel,
-// so that their steps become grain.
+// H. Vogel 1979: points spread evenly over a disc, turned from pixel to pixel, so that their steps become grain.
 
 vec2 shadowDepthMapTurn()
 {
-  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  return vec2(cos(6.2831853 * noise), sin(6.2831853 * noise));
+  float angle = 6.2831853 * shadowDepthMapNoise();
+  return vec2(cos(angle), sin(angle));
 }
 
 // Direction of tap number `tap`, and the share of taps within it.

@@ -96,45 +96,36 @@ float shadowMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
 
 #ifdef SHADOW_MAP_CASCADED_LIGHTS
 // For each of SHADOW_MAP_CASCADES cascades of a light two: what is added in the map (texels, depth), and the
-// layer; what the position is multiplied by before, and the inverse square of the cascade's reach, 0 if it has
-// no end.
+// layer; and what the position is multiplied by before.
 uniform vec4 shadowMapCascadeRows[2 * SHADOW_MAP_CASCADES * SHADOW_MAP_CASCADED_LIGHTS];
 // Squares of the reaches of a light's cascades, but the last's; infinite, as floats go, where there is none.
 uniform vec4 shadowMapCascadeReaches[2 * SHADOW_MAP_CASCADED_LIGHTS];
 
 // q: in the light's axes, as seen from the eye: its length is the distance that a cascade is chosen by. slope: of
 // the receiver's plane there. Where a cascade ends, over SHADOW_MAP_CASCADE_BLEND of its reach, it blends into
-// the next.
+// the next, in grain: so each pixel is looked up once.
 float shadowMapCascades(int light, vec4 q, vec2 slope)
 {
   float square = dot(q.xyz, q.xyz);
-  vec4 isBeyond = step(shadowMapCascadeReaches[2 * light], vec4(square));
-#if SHADOW_MAP_CASCADES > 5
-  isBeyond += step(shadowMapCascadeReaches[2 * light + 1], vec4(square));
-#endif
-  int row = 2 * (SHADOW_MAP_CASCADES * light + int(dot(isBeyond, vec4(1.0)) + 0.5));
-  vec4 offset = shadowMapCascadeRows[row], scale = shadowMapCascadeRows[row + 1];
 #ifdef SHADOW_MAP_CASCADE_BLEND
+  // The share of pixels that are looked up in the next one is linear in the square of the distance.
   const float start = (1.0 - SHADOW_MAP_CASCADE_BLEND) * (1.0 - SHADOW_MAP_CASCADE_BLEND);
-  float next = clamp((square * scale.w - start) * (1.0 / (1.0 - start)), 0.0, 1.0);
+  float end = 1.0 - shadowMapNoise() * (1.0 - start);
 #else
-  float next = 0.0;
+  const float end = 1.0;
 #endif
-  // A loop whose end comes after the lookup: a software rasteriser goes through both sides of a branch, and once
-  // through what lies behind a break.
-  float visibility = 0.0, share = 1.0 - next;
-  for (;;)
-  {
-    visibility += share * shadowMapCompare(int(offset.w), q.xyz * scale.xyz + offset.xyz, slope * scale.z / scale.xy);
-    if (next <= 0.0)
-    {
-      break;
-    }
-    offset = shadowMapCascadeRows[row + 2];
-    scale = shadowMapCascadeRows[row + 3];
-    share = next;
-    next = 0.0;
-  }
+  vec3 isBeyond = step(end * shadowMapCascadeReaches[2 * light].xyz, vec3(square));
+  float beyond = isBeyond.x + isBeyond.y + isBeyond.z;
+#if SHADOW_MAP_CASCADES > 4
+  beyond += step(end * shadowMapCascadeReaches[2 * light].w, square);
+  isBeyond = step(end * shadowMapCascadeReaches[2 * light + 1].xyz, vec3(square));
+  beyond += isBeyond.x + isBeyond.y + isBeyond.z;
+#endif
+  int row = 2 * (SHADOW_MAP_CASCADES * light + int(beyond + 0.5));
+  vec4 offset = shadowMapCascadeRows[row];
+  vec3 scale = shadowMapCascadeRows[row + 1].xyz;
+  float visibility =
+    shadowMapCompare(int(offset.w), q.xyz * scale + offset.xyz, slope * scale.z / scale.xy);
   return q.w > 0.0 ? 1.0 : visibility;
 }
 

@@ -46,3 +46,9 @@ bool shadowMapIsOnSurface(vec4 depth, vec3 p, vec2 slope, vec2 f)
   return farthest - nearest <= 4.0 * shadowMapRise(slope) &&
     p.z - shadowMapSlack(slope) <= shadowMapBlend(depth, f);
 }
+
+// 0 to less than 1, the same for a pixel in every frame, and spread evenly over those around it: J. Jimenez 2014.
+float shadowMapNoise()
+{
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
