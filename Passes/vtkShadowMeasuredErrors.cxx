@@ -11,16 +11,17 @@
 namespace
 {
 
-using Circumstances = vtkShadowMeasuredErrors::Circumstances;
-
 // How far apart two positive numbers are, as the logarithm of their ratio.
 double Ratio(double a, double b)
 {
   return a == b ? 0.0 : a > 0.0 && b > 0.0 ? std::abs(std::log(a / b)) : 1.0;
 }
 
+}
+
+//------------------------------------------------------------------------------
 // In radians, and in shares of distances and sizes: all of them steps of what a picture shows.
-double DriftOf(const Circumstances& then, const Circumstances& now)
+double vtkShadowMeasuredErrors::DriftOf(const Circumstances& then, const Circumstances& now)
 {
   const glm::dmat4 worldThen = glm::inverse(then.ViewFromWorld);
   const glm::dmat4 worldNow = glm::inverse(now.ViewFromWorld);
@@ -43,8 +44,6 @@ double DriftOf(const Circumstances& then, const Circumstances& now)
     drift += std::abs(now.Light.coneAngle - then.Light.coneAngle) / 90.0;
   }
   return std::isfinite(drift) ? drift : 1.0;
-}
-
 }
 
 //------------------------------------------------------------------------------

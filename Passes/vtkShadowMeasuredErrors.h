@@ -26,12 +26,15 @@ public:
     double CasterChanges = 0.0; // a count, those that belong to a motion as less
   };
 
+  // How far apart two are: 0 not at all, 1 another picture.
+  static double DriftOf(const Circumstances& then, const Circumstances& now);
+
   struct Record
   {
     vtkshadows::ErrorPercents Error;
     double Cost = 0.0;    // seconds that measuring took
     double Elapsed = 0.0; // since, seconds
-    double Drift = 0.0;   // of the circumstances since: 0 none, 1 another picture
+    double Drift = 0.0;   // of the circumstances since
   };
   std::optional<Record> Find(
     const vtkshadows::ShadowSetting& setting, const Circumstances& now) const;

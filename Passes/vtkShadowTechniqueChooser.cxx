@@ -33,8 +33,12 @@ constexpr double MostTrianglesMeasured = 5.0e6;
 // same; and how many times as long as a measure took is waited for the next between the two.
 constexpr double OtherPicture = 0.3;
 constexpr double SamePicture = 0.02;
+// Drift of one frame up to which the eye goes rather than jumps, and waits for a measure of another
+// picture, too: that many times as long as one took. Amid what receives each step is such a one.
+constexpr double OneStep = 1.0;
+constexpr double MeasuringShareOnTheWay = 8.0;
 constexpr double MeasuringShare = 20.0;
-// The same in a motion for what is not in use, as long as that serves.
+// The same for each setting that is not in use, as long as what is serves.
 constexpr double MeasuringShareOfOthers = 100.0;
 // A setting expected to cost this many times the cheapest that is right is not measured.
 constexpr double NotPromising = 4.0;
@@ -179,6 +183,25 @@ std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::L
 }
 
 //------------------------------------------------------------------------------
+// A read-back is of the last frame's step.
+void vtkShadowTechniqueChooser::NoteSteps(bool isDrawn)
+{
+  std::map<const vtkLight*, ChosenLight> now;
+  for (ChosenLight& light : this->Chosen)
+  {
+    const auto before = this->LastDrawn.find(light.Source);
+    light.Step = before == this->LastDrawn.end() ? std::numeric_limits<double>::infinity()
+      : isDrawn ? vtkShadowMeasuredErrors::DriftOf(before->second.Now, light.Now)
+                : before->second.Step;
+    now[light.Source] = light;
+  }
+  if (isDrawn)
+  {
+    this->LastDrawn.swap(now);
+  }
+}
+
+//------------------------------------------------------------------------------
 // The cheapest to be expected first. What the user has set, or what another light relies on, is not
 // varied.
 std::vector<ShadowSetting> vtkShadowTechniqueChooser::SettingsToTry(const Request& request) const
@@ -242,8 +265,7 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   }
   if (!isUrgent)
   {
-    const double share = this->IsMoving ? MeasuringShareOfOthers : MeasuringShare;
-    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost;
+    return record->Drift > OtherPicture && record->Elapsed >= MeasuringShareOfOthers * record->Cost;
   }
   const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
   const bool soft = light.Needs.isSoft;
@@ -251,13 +273,16 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   {
     return record->Drift > OtherPicture && !mayWait;
   }
+  const bool isOnTheWay = light.Step > 0.0 && light.Step <= OneStep &&
+    record->Elapsed < MeasuringShareOnTheWay * record->Cost;
   const bool isClose = !vtkshadows::IsWithin(
     this->Budget, record->Error, soft, this->MarginOf(setting, light, record->Drift));
   if (this->IsMoving)
   {
     return (isClose || record->Drift > SamePicture) && !mayWait;
   }
-  return isClose || record->Drift > OtherPicture || (record->Drift > SamePicture && !mayWait);
+  return isClose || (record->Drift > OtherPicture && !isOnTheWay) ||
+    (record->Drift > SamePicture && !mayWait);
 }
 
 //------------------------------------------------------------------------------
@@ -311,10 +336,10 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
   {
     if (const auto record = this->Errors.Find(setting, light.Now))
     {
-      verdict.Error = record->Error;
       // Of another picture it says nothing, unless in a motion, where measures wait.
       const bool isOfThis =
         this->IsMoving || record->Drift <= OtherPicture || this->IsInUse(setting, light);
+      verdict.Error = isOfThis ? std::make_optional(record->Error) : std::nullopt;
       const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture) : record->Drift;
       verdict.IsRight = isOfThis &&
         vtkshadows::IsWithin(
@@ -534,6 +559,7 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
     this->Scene.triangles > MostTrianglesMeasured && !this->Budget.maximumError;
   const std::vector<bool> reach = this->Needs.Reach(*request.Frame, request.Lights);
   this->Chosen = this->LightsOf(request, reach);
+  this->NoteSteps(request.IsDrawn);
   this->Unseen.clear();
   std::vector<const vtkLight*> sources;
   for (std::size_t i = 0; i < request.Lights.size(); ++i)

@@ -75,6 +75,7 @@ private:
     const vtkLight* Source = nullptr;
     vtkshadows::LightNeeds Needs;
     vtkShadowMeasuredErrors::Circumstances Now;
+    double Step = 0.0; // drift of the last frame that was drawn
   };
   // What a setting is for a light.
   struct Verdict
@@ -87,6 +88,7 @@ private:
   };
 
   void NoteMotion(const Request& request);
+  void NoteSteps(bool isDrawn);
   std::vector<ChosenLight> LightsOf(const Request& request, const std::vector<bool>& reach) const;
   std::vector<Setting> SettingsToTry(const Request& request) const;
   Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light) const;
@@ -112,6 +114,7 @@ private:
   vtkshadows::SceneNeeds Scene;
   std::vector<ChosenLight> Chosen;     // of the last Choose, those that reach something
   std::vector<const vtkLight*> Unseen; // and those that do not
+  std::map<const vtkLight*, ChosenLight> LastDrawn;
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
   bool IsChosen = false;
   std::size_t Drawn = 0; // among the ways: the last Choose's
