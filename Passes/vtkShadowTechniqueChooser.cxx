@@ -38,7 +38,7 @@ constexpr double SamePicture = 0.02;
 constexpr double OneStep = 1.0;
 constexpr double MeasuringShareOnTheWay = 8.0;
 constexpr double MeasuringShare = 20.0;
-// The same for each setting that is not in use, as long as what is serves.
+// The same for each setting that is not in use, as long as what is serves and something moves.
 constexpr double MeasuringShareOfOthers = 100.0;
 // A setting expected to cost this many times the cheapest that is right is not measured.
 constexpr double NotPromising = 4.0;
@@ -265,7 +265,9 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   }
   if (!isUrgent)
   {
-    return record->Drift > OtherPicture && record->Elapsed >= MeasuringShareOfOthers * record->Cost;
+    const bool isAtRest = light.Step == 0.0 && !this->IsMoving;
+    const double share = isAtRest ? MeasuringShare : MeasuringShareOfOthers;
+    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost;
   }
   const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
   const bool soft = light.Needs.isSoft;
