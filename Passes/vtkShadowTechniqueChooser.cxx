@@ -183,16 +183,25 @@ std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::L
 }
 
 //------------------------------------------------------------------------------
-// A read-back is of the last frame's step.
+// How far the eye went; another light or caster is no step of its. A read-back is of the last
+// frame's.
 void vtkShadowTechniqueChooser::NoteSteps(bool isDrawn)
 {
   std::map<const vtkLight*, ChosenLight> now;
   for (ChosenLight& light : this->Chosen)
   {
     const auto before = this->LastDrawn.find(light.Source);
-    light.Step = before == this->LastDrawn.end() ? std::numeric_limits<double>::infinity()
-      : isDrawn ? vtkShadowMeasuredErrors::DriftOf(before->second.Now, light.Now)
-                : before->second.Step;
+    if (before == this->LastDrawn.end() ||
+      !IsSameLight(before->second.Now.Light, light.Now.Light) ||
+      before->second.Now.CasterChanges != light.Now.CasterChanges)
+    {
+      light.Step = std::numeric_limits<double>::infinity();
+    }
+    else
+    {
+      light.Step = isDrawn ? vtkShadowMeasuredErrors::DriftOf(before->second.Now, light.Now)
+                           : before->second.Step;
+    }
     now[light.Source] = light;
   }
   if (isDrawn)

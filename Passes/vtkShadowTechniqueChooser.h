@@ -75,7 +75,7 @@ private:
     const vtkLight* Source = nullptr;
     vtkshadows::LightNeeds Needs;
     vtkShadowMeasuredErrors::Circumstances Now;
-    double Step = 0.0; // drift of the last frame that was drawn
+    double Step = 0.0; // drift of the eye in the last frame that was drawn
   };
   // What a setting is for a light.
   struct Verdict
