@@ -2,13 +2,13 @@
 #ifndef vtkshadows_BoxesByLot_h
 #define vtkshadows_BoxesByLot_h
 
+#include "../Lot.h"
 #include "SeenBoxes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
-#include <random>
 
 namespace coretest
 {
@@ -83,17 +83,11 @@ inline bool IsInView(const glm::dvec4& clip)
     std::abs(clip.z) <= clip.w;
 }
 
-class Lot
+class Lot : public testinglot::Lot
 {
 public:
-  explicit Lot(int seed)
-    : Random(seed)
-  {
-  }
-  double Any(double low, double high)
-  {
-    return low + (high - low) * (this->Random() / double(this->Random.max()));
-  }
+  using testinglot::Lot::Lot;
+
   bool Flip() { return this->Any(0.0, 1.0) < 0.5; }
   glm::dvec3 Within(double half)
   {
@@ -133,9 +127,6 @@ public:
     const glm::dvec3 along = glm::normalize(p * light.w - glm::dvec3(light));
     return p + along * std::pow(10.0, this->Any(-2.0, 1.3));
   }
-
-private:
-  std::mt19937 Random;
 };
 
 constexpr int Scenes = 2000;

@@ -1,5 +1,6 @@
 // Shadow volumes against the truth: scenes and views by lot, every kind of mesh, eyes and lights in
 // awkward places, many lights, lights with a radius.
+#include "../Lot.h"
 #include "TestScenes.h"
 #include "VolumeTest.h"
 
@@ -16,30 +17,14 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
 
 using namespace shadowtest;
+using testinglot::Lot;
 
 namespace
 {
 
 const double Pi = std::acos(-1.0);
-
-class Lot
-{
-public:
-  explicit Lot(int seed)
-    : Random(seed)
-  {
-  }
-  double Any(double low, double high)
-  {
-    return low + (high - low) * (this->Random() / double(this->Random.max()));
-  }
-
-private:
-  std::mt19937 Random;
-};
 
 class StencilVolumes : public VolumeTest
 {
