@@ -27,6 +27,10 @@ constexpr double GuardBand = 0.15;
 // Texels are worth a map of their own if they are finer by this factor.
 constexpr double WorthwhileGain = 1.5;
 
+// The last cascade follows the eye, and is drawn again with it, where its texels are finer than
+// those of the view of all casters by this factor, as the root of their areas' ratio.
+constexpr double GainByFollowing = 1.2;
+
 // What rounding changes in the size of a texel, and far less than a texel over a map.
 constexpr double SameTexel = 1.0e-9;
 
@@ -36,8 +40,9 @@ constexpr double FewestTexels = 8.0;
 // A texel's shorter side is no shorter, as a share of the longer one.
 constexpr double LeastShare = 1.0 / 64.0;
 
-// Of these shares, steps to a doubling.
+// Of these shares, and of where cascades end, steps to a doubling.
 constexpr double StepsOfShares = 8.0;
+constexpr double StepsOfEnds = 8.0;
 
 // The practical scheme starts no nearer than this share of where it ends.
 constexpr double NearestShare = 1.0 / 700.0;
@@ -315,24 +320,55 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
     return onlyWhole();
   }
 
-  // As far as cascades pay: beyond that the view of the whole scene has finer texels, or there is
-  // nothing.
+  Box everyone;
+  for (const BoxCorners& receiver : receivers)
+  {
+    everyone.Add(receiver);
+  }
   const auto texelOf = [&](double from, double to)
   { return 2.0 * (1.0 + GuardBand) * BallOfSlice(from, to, cone.angle).radius / texels; };
+  const auto sidesOf = [&](double from, double to)
+  {
+    return Rounded(texelOf(from, to)) *
+      SharesOfBall(result.lightFromWorld, BallOfSlice(from, to, cone.angle).radius, everyone);
+  };
   double nearest = 0.0, farthest = 0.0;
   DistancesFrom(cone.tipWC, receivers, nearest, farthest);
-  const double end = std::min(StepAbove(farthest, 2.0), settings.farthest);
-  const double breakEven = wholeTexel / texelOf(0.0, 1.0);
-  const bool endsInWhole = breakEven < WorthwhileGain * end;
-  const double last = endsInWhole ? std::min(breakEven, end) : end;
-  nearest = std::max({ nearest, cone.nearest, 1.0e-9 * last });
-  if (!(last > 0.0) || !std::isfinite(last) || (endsInWhole && last < WorthwhileGain * nearest))
+  const double end = std::min(StepAbove(farthest, StepsOfEnds), settings.farthest);
+  if (!(end > 0.0) || !std::isfinite(end))
   {
     return onlyWhole();
   }
-  const int useful = static_cast<int>(std::ceil(
-    std::min(std::log(last / std::min(nearest, last)) / std::log(WorthwhileGain), 1.0e3)));
-  const int count = std::clamp(useful, 1, settings.count);
+  nearest = std::max({ nearest, cone.nearest, 1.0e-9 * end });
+  const auto reachesTo = [&](double last)
+  {
+    const int useful = static_cast<int>(std::ceil(
+      std::min(std::log(last / std::min(nearest, last)) / std::log(WorthwhileGain), 1.0e3)));
+    return CascadeReaches(std::clamp(useful, 1, settings.count), std::min(StepBelow(nearest), last),
+      last, settings.scheme, settings.weight);
+  };
+  const auto startOf = [&](const std::vector<double>& reaches, int i)
+  { return i == 0 ? 0.0 : reaches[i - 1] * (1.0 - settings.blend); };
+
+  // The last one follows the eye, too, if that makes its texels worth it. Else cascades go as far
+  // as they pay: beyond that the view of the whole scene has finer texels, or there is nothing.
+  std::vector<double> reaches = reachesTo(end);
+  const glm::dvec3 lastSides = sidesOf(startOf(reaches, static_cast<int>(reaches.size()) - 1), end);
+  const glm::dvec2 wholeSides = 2.0 /
+    (static_cast<double>(resolution) *
+      glm::dvec2(whole.clipFromView[0][0], whole.clipFromView[1][1]));
+  const bool endsInWhole =
+    wholeSides.x * wholeSides.y < GainByFollowing * GainByFollowing * lastSides.x * lastSides.y;
+  if (endsInWhole)
+  {
+    const double last = std::min(wholeTexel / texelOf(0.0, 1.0), end); // where both are as fine
+    if (!(last >= WorthwhileGain * nearest))
+    {
+      return onlyWhole();
+    }
+    reaches = reachesTo(last);
+  }
+  const int count = static_cast<int>(reaches.size());
   if (count == 1 && endsInWhole)
   {
     return onlyWhole();
@@ -343,13 +379,6 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   {
     bounds.push_back(BoundsIn(result.lightFromWorld, caster));
   }
-  const std::vector<double> reaches = CascadeReaches(
-    count, std::min(StepBelow(nearest), last), last, settings.scheme, settings.weight);
-  Box everyone;
-  for (const BoxCorners& receiver : receivers)
-  {
-    everyone.Add(receiver);
-  }
   for (int i = 0; i < count; ++i)
   {
     if (i == count - 1 && endsInWhole)
@@ -357,12 +386,11 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
       result.cascades.push_back(WholeScene(whole, casters.size(), wholeTexel));
       break;
     }
-    const double from = i == 0 ? 0.0 : reaches[i - 1] * (1.0 - settings.blend);
+    const double from = startOf(reaches, i);
     const SliceBall ball = BallOfSlice(from, reaches[i], cone.angle);
     Cascade cascade;
     cascade.followsEye = true;
-    cascade.sides = Rounded(texelOf(from, reaches[i])) *
-      SharesOfBall(result.lightFromWorld, ball.radius, everyone);
+    cascade.sides = sidesOf(from, reaches[i]);
     cascade.reach = i == count - 1 ? Infinity : reaches[i];
     const LightBounds held = BoundsInBall(
       result.lightFromWorld, cone.tipWC + ball.centre * cone.axisWC, ball.radius, everyone);
