@@ -30,7 +30,7 @@ constexpr int FramesOfChoice = 3; // of "auto", at least: it has few visits wher
 // Shares of the time of a setting: what a visit shall take, about, and how much longer than that
 // time the fewest visits may.
 constexpr double VisitShare = 0.3;
-constexpr double FewestVisitsShare = 6.0;
+constexpr double FewestVisitsShare = 4.0;
 
 // To which a ratio is to be known: less than what a figure tells.
 constexpr double SteadyShare = 0.02;
@@ -170,8 +170,8 @@ void BenchEntrant::Visit(const TimingPlan& plan)
     settling += own.Seconds();
   };
 
-  // The first frame after another pass looks its shaders up again; the first of a still light draws
-  // what is kept for it.
+  // The first frame of each kind looks its shaders up again, or draws what is kept for a light that
+  // stands.
   TimingRound round;
   this->Show(false);
   this->stage.ShowShadows(false);
@@ -181,7 +181,7 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   {
     settle(swing);
   }
-  round.still = TimeFramesOf(this->stage, 2, frames, swing);
+  round.still = TimeFramesOf(this->stage, 1, frames, swing);
   motion.RestCamera();
   this->Show(true);
   if (chooses)
