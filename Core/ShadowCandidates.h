@@ -19,7 +19,7 @@ constexpr int UsualVolumeSamples = 32;
 constexpr int UsualRaySamples = 64;
 
 // More than any setting that is tried has: of the truth of a light with a radius.
-constexpr int TruthSamples = 128;
+constexpr int TruthSamples = 256;
 
 struct CandidateScope
 {

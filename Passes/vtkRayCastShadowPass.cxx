@@ -226,16 +226,18 @@ private:
   RTCScene Tree;
 };
 
-// Call `use(lanes)` for the receivers of pixels first..last, eight at a time.
+// Call `use(lanes)` for the receivers of pixels first..last, of these (all, if there are none
+// named), eight at a time.
 template <typename Use>
 void ForEachLanes(const vtkShadowReceiverBuffer& receivers, std::size_t first, std::size_t last,
-  const TraceFrame& frame, float epsilonScale, const Use& use)
+  const std::vector<unsigned char>* which, const TraceFrame& frame, float epsilonScale,
+  const Use& use)
 {
   ReceiverLanes lanes = {};
   for (std::size_t i = first; i < last; ++i)
   {
     const float* pixel = receivers.PixelAt(i);
-    if (vtkShadowReceiverBuffer::IsReceiver(pixel))
+    if ((!which || (*which)[i]) && vtkShadowReceiverBuffer::IsReceiver(pixel))
     {
       lanes.Add(i, pixel);
     }
@@ -444,7 +446,8 @@ bool vtkRayCastShadowPass::UpdateTree(const vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
   const vtkShadowReceiverBuffer& receivers, const vtkshadows::ShadowLight& light,
-  double epsilonScale, int samples, std::vector<float>& visibility)
+  double epsilonScale, int samples, std::vector<float>& visibility,
+  const std::vector<unsigned char>* which)
 {
   if (!this->UpdateTree(frame))
   {
@@ -452,7 +455,10 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
   }
   const Internals& my = *this->Internal;
   const std::size_t width = receivers.Width(), height = receivers.Height();
-  visibility.assign(width * height, 1.0f);
+  if (!which)
+  {
+    visibility.assign(width * height, 1.0f);
+  }
 
   glm::dvec3 centreWC(glm::inverse(my.TraceFromWorld)[3]);
   std::vector<TraceLight> lights;
@@ -469,7 +475,7 @@ bool vtkRayCastShadowPass::TraceVisibility(const vtkShadowFrame& frame,
     [&](const tbb::blocked_range<std::size_t>& rows)
     {
       RayPacket packet(my.Tree);
-      ForEachLanes(receivers, rows.begin() * width, rows.end() * width, trace,
+      ForEachLanes(receivers, rows.begin() * width, rows.end() * width, which, trace,
         static_cast<float>(epsilonScale),
         [&](const ReceiverLanes& lanes)
         {
@@ -547,7 +553,8 @@ double vtkRayCastShadowPass::TimeBareTracing(const vtkShadowFrame& frame)
     }
     const TraceLight hard = my.LightOf(light.Ray, this->EpsilonScale);
     RayPacket packet(my.Tree);
-    ForEachLanes(*frame.Receivers, 0, pixels, trace, static_cast<float>(this->EpsilonScale),
+    ForEachLanes(*frame.Receivers, 0, pixels, nullptr, trace,
+      static_cast<float>(this->EpsilonScale),
       [&](const ReceiverLanes& lanes)
       {
         packet.Aim(lanes, hard);

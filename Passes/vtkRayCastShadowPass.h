@@ -89,11 +89,12 @@ protected:
 
   /**
    * Trace the pixels of `receivers` toward `light`, with a radius toward so many `samples` of it:
-   * visibility gets one float a pixel, row by row from the bottom, 1 where there is no receiver.
+   * visibility gets one float a pixel, row by row from the bottom, 1 where there is no receiver. Or
+   * only those that `which` names by a number that is not 0: the others stay as they are.
    */
   bool TraceVisibility(const vtkShadowFrame& frame, const vtkShadowReceiverBuffer& receivers,
     const vtkshadows::ShadowLight& light, double epsilonScale, int samples,
-    std::vector<float>& visibility);
+    std::vector<float>& visibility, const std::vector<unsigned char>* which = nullptr);
 
   /**
    * Seconds that a bare loop of rtcOccluded1 over all cores takes for one frame's rays of hard

@@ -1,7 +1,5 @@
 #include "vtkShadowMeasuredErrors.h"
 
-#include "vtkShadowSeconds.h"
-
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 
@@ -47,29 +45,72 @@ double vtkShadowMeasuredErrors::DriftOf(const Circumstances& then, const Circums
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkShadowMeasuredErrors::Place(
+  const vtkshadows::ShadowSetting& setting, const Circumstances& now) const
+{
+  return std::find_if(this->Entries.begin(), this->Entries.end(),
+           [&](const Entry& entry)
+           { return entry.Then.Source == now.Source && entry.Setting == setting; }) -
+    this->Entries.begin();
+}
+
+//------------------------------------------------------------------------------
 std::optional<vtkShadowMeasuredErrors::Record> vtkShadowMeasuredErrors::Find(
   const vtkshadows::ShadowSetting& setting, const Circumstances& now) const
 {
-  for (const Entry& entry : this->Entries)
+  const std::size_t place = this->Place(setting, now);
+  if (place == this->Entries.size())
   {
-    if (entry.Then.Source == now.Source && entry.Setting == setting)
-    {
-      return Record{ entry.Error, entry.Cost, vtkShadowSeconds() - entry.Time,
-        DriftOf(entry.Then, now) };
-    }
+    return std::nullopt;
   }
-  return std::nullopt;
+  const Entry& entry = this->Entries[place];
+  return Record{ entry.Error, entry.Cost, this->Time - entry.Time, DriftOf(entry.Then, now),
+    entry.Rate.Get(), entry.WasRefused };
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMeasuredErrors::Keep(const vtkshadows::ShadowSetting& setting,
   const Circumstances& now, const vtkshadows::ErrorPercents& error, double cost)
 {
-  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                        [&](const Entry& entry)
-                        { return entry.Then.Source == now.Source && entry.Setting == setting; }),
-    this->Entries.end());
-  this->Entries.push_back({ setting, now, error, cost, vtkShadowSeconds() });
+  const std::size_t place = this->Place(setting, now);
+  if (place == this->Entries.size())
+  {
+    this->Entries.push_back({ setting, now, error, cost, this->Time, {}, false });
+    return;
+  }
+  Entry& entry = this->Entries[place];
+  if (!entry.Error.isOfNothing && !error.isOfNothing)
+  {
+    const bool soft = now.Light.radius > 0.0;
+    const double change = vtkshadows::ShareOfChange(entry.Error.Figure(soft), error.Figure(soft));
+    const double inPenumbra = soft
+      ? vtkshadows::ShareOfChange(entry.Error.penumbraDifference, error.penumbraDifference)
+      : 0.0;
+    entry.Rate.Learn(std::max(change, inPenumbra), DriftOf(entry.Then, now));
+  }
+  entry.Then = now;
+  entry.Error = error;
+  entry.Cost = cost;
+  entry.Time = this->Time;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMeasuredErrors::Refuse(
+  const vtkshadows::ShadowSetting& setting, const Circumstances& now)
+{
+  const std::size_t place = this->Place(setting, now);
+  if (place < this->Entries.size())
+  {
+    this->Entries[place].WasRefused = true;
+  }
+}
+
+void vtkShadowMeasuredErrors::ForgiveAll()
+{
+  for (Entry& entry : this->Entries)
+  {
+    entry.WasRefused = false;
+  }
 }
 
 void vtkShadowMeasuredErrors::KeepOnly(const std::vector<const vtkLight*>& lights)

@@ -113,8 +113,9 @@ public:
    * What is right by construction in a scene (planar shadows where all that receives is flat,
    * shadow volumes where all that casts is triangles, rays) is taken for right for a light without
    * a radius. The error of depth maps, of textures on planes and of sample lights is measured
-   * beside the frame, at up to a million rays, with 128 of them a pixel for a light with a radius:
-   * at the first frame, and again once view, lights or casters are clearly others. In the first
+   * beside the frame, at about a million rays, for a light with a radius 8 of them a pixel and 256
+   * where the light is seen in part: at the first frame, and again once view, lights or casters are
+   * clearly others. In the first
    * frames what may be the fastest is drawn a few times each; all of it keeps to the budget of
    * error. In a frame where lights or casters move another choice may hold. Chosen with a technique
    * are the depth map's resolution, cascades, filter and LightSamples, planar's LightSamples and

@@ -2,12 +2,13 @@
 // and the shading is attached. The class is written in files by subject: vtkShadowPass (a frame,
 // and what is set), vtkShadowPassInternals (how a frame is planned), vtkShadowPassLights (settings
 // of a light), vtkShadowPassProps (keys of props), vtkShadowPassReadBack (visibility and the
-// truth).
+// truth), vtkShadowPassMeasures (errors, for the choice).
 #ifndef vtkShadowPassInternals_h
 #define vtkShadowPassInternals_h
 
 #include "vtkShadowPass.h"
 
+#include "AdaptiveTruth.h"
 #include "vtkShadowMeasured.h"
 #include "vtkShadowReceiverBuffer.h"
 #include "vtkShadowScene.h"
@@ -28,6 +29,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -206,13 +208,18 @@ public:
     int Size[2] = { 0, 0 }; // pixels that are measured
     double Scale = 1.0;     // they are so many of the frame's along an axis
     vtkShadowReceiverBuffer Receivers;
-    std::map<int, Measured> Truths; // of lights
+    std::map<int, Measured> Truths; // of lights without a radius
+    std::map<int, vtkshadows::AdaptiveTruth> SoftTruths;
   };
   void Reduce(
     MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights, bool allDrawn);
   bool MeasureErrors(MeasuredView& view, const std::vector<vtkShadowedShadingPass::LightPlan>& plan,
     const std::string& name, const std::vector<int>& lights,
     std::vector<std::optional<vtkshadows::ErrorPercents>>& errors);
+  bool MeasureError(MeasuredView& view, int light, vtkshadows::VisibilityError& error);
+  bool MeasureSoftError(MeasuredView& view, int light, vtkshadows::VisibilityError& error);
+  bool FindRoles(const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light,
+    std::vector<vtkshadows::PixelRole>& roles);
   bool TraceTruth(const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light,
     int samples, Measured& measured);
   int SamplesOfTruth();

@@ -1,6 +1,5 @@
 #include "vtkShadowPassInternals.h"
 
-#include "ShadowCandidates.h"
 #include "vtkStencilShadowVolumePass.h"
 
 #include "vtkFloatArray.h"
@@ -27,15 +26,6 @@ constexpr int SamplesOfUncertainty = 16;
 
 // Faces nearer to edge-on than this are not measured: there, a rounding decides what is in shadow.
 constexpr double GrazingCosine = 0.02;
-
-// Pixels from a true edge beyond which a mismatch is gross.
-constexpr double GrossDistance = 2.0;
-
-// Rays that a choice traces for one measure: enough for one gross pixel in 100 000 to be seen, and
-// a small part of a second. Lights share them, down to so many pixels each.
-constexpr double MeasuredRays = 1.0e6;
-constexpr double MeasuredRaysOfBudget = 4.0e6; // where a budget of error is held against it
-constexpr double LeastMeasuredPixels = 3.0e4;
 
 // Bring a renderer's window and its props into a render state outside of a frame.
 class StateOfRenderer
@@ -193,32 +183,6 @@ bool vtkShadowPass::GetVolumeCounts(vtkRenderer* renderer, vtkLight* light, vtkI
 }
 
 //------------------------------------------------------------------------------
-// No more pixels than a part of a second allows: of a smaller view, or, `allDrawn`, some of those
-// of the frame's own.
-void vtkShadowPass::Internals::Reduce(
-  MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights, bool allDrawn)
-{
-  double rays = 0.0;
-  for (const int i : lights)
-  {
-    rays += this->Scene->GetLights()[i].Ray.radius > 0.0 ? vtkshadows::TruthSamples : 1.0;
-  }
-  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
-  const double budget =
-    this->Chooser.GetBudget().maximumError ? MeasuredRaysOfBudget : MeasuredRays;
-  view.Scale = std::min(1.0, std::sqrt(std::max(budget / rays, LeastMeasuredPixels) / pixels));
-  view.Frame = frame;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    view.Size[axis] = std::max(1, static_cast<int>(std::lround(view.Scale * frame.Size[axis])));
-    view.Frame.Size[axis] = allDrawn ? frame.Size[axis] : view.Size[axis];
-    view.Frame.Origin[axis] = 0;
-  }
-  view.Receivers.KeepPixels(view.Size[0], view.Size[1]);
-  view.Frame.Receivers = &view.Receivers;
-}
-
-//------------------------------------------------------------------------------
 // Sample lights of the truth as the user asked for: the choice may have set the ray cast otherwise.
 int vtkShadowPass::Internals::SamplesOfTruth()
 {
@@ -231,28 +195,20 @@ int vtkShadowPass::Internals::SamplesOfTruth()
 }
 
 //------------------------------------------------------------------------------
-// The truth of light `light` at every pixel, and what each pixel is to the measure.
-bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
-  vtkShadowReceiverBuffer& receivers, int light, int samples, Measured& measured)
+// What each pixel is to the measure of a light, but for those whose truth is uncertain.
+bool vtkShadowPass::Internals::FindRoles(const vtkShadowFrame& frame,
+  vtkShadowReceiverBuffer& receivers, int light, std::vector<vtkshadows::PixelRole>& roles)
 {
-#ifdef VTKSHADOWS_WITH_EMBREE
-  const vtkshadows::ShadowLight ray = this->Scene->GetLights()[light].Ray;
-  vtkRayCastShadowPass* reference = this->GetRayCast();
-  std::vector<float> nearby;
-  if (!receivers.Draw(frame) ||
-    !reference->TraceVisibility(frame, receivers, ray, 1.0, samples, measured.Truth) ||
-    !reference->TraceVisibility(
-      frame, receivers, ray, 4.0, std::min(samples, SamplesOfUncertainty), nearby))
+  if (!receivers.Draw(frame))
   {
     return false;
   }
-  measured.Size[0] = receivers.Width();
-  measured.Size[1] = receivers.Height();
-  const std::size_t pixels = measured.Truth.size();
+  const vtkshadows::ShadowLight ray = this->Scene->GetLights()[light].Ray;
   const glm::dmat4 worldFromView = glm::inverse(frame.ViewFromWorld);
   const double coneCosine = std::cos(glm::radians(ray.coneAngle));
-  measured.Roles.assign(pixels, vtkshadows::PixelRole::Background);
-  for (std::size_t i = 0; i < pixels; ++i)
+  roles.assign(static_cast<std::size_t>(receivers.Width()) * receivers.Height(),
+    vtkshadows::PixelRole::Background);
+  for (std::size_t i = 0; i < roles.size(); ++i)
   {
     vtkShadowReceiverBuffer::Receiver receiver;
     if (!receivers.At(i, receiver))
@@ -265,10 +221,38 @@ bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
     // A spot shines on nothing outside its cone.
     const bool reached = ray.kind != vtkshadows::LightKind::Spot ||
       -glm::dot(towardLight, ray.direction) >= coneCosine;
-    measured.Roles[i] = !reached || glm::dot(normalWC, towardLight) <= GrazingCosine
-      ? vtkshadows::PixelRole::Grazing
-      : std::abs(measured.Truth[i] - nearby[i]) > 0.5f ? vtkshadows::PixelRole::Uncertain
-                                                       : vtkshadows::PixelRole::Measured;
+    roles[i] = reached && glm::dot(normalWC, towardLight) > GrazingCosine
+      ? vtkshadows::PixelRole::Measured
+      : vtkshadows::PixelRole::Grazing;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The truth of light `light` at every pixel, and what each pixel is to the measure.
+bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
+  vtkShadowReceiverBuffer& receivers, int light, int samples, Measured& measured)
+{
+#ifdef VTKSHADOWS_WITH_EMBREE
+  const vtkshadows::ShadowLight ray = this->Scene->GetLights()[light].Ray;
+  vtkRayCastShadowPass* reference = this->GetRayCast();
+  std::vector<float> nearby;
+  if (!this->FindRoles(frame, receivers, light, measured.Roles) ||
+    !reference->TraceVisibility(frame, receivers, ray, 1.0, samples, measured.Truth) ||
+    !reference->TraceVisibility(
+      frame, receivers, ray, 4.0, std::min(samples, SamplesOfUncertainty), nearby))
+  {
+    return false;
+  }
+  measured.Size[0] = receivers.Width();
+  measured.Size[1] = receivers.Height();
+  for (std::size_t i = 0; i < measured.Roles.size(); ++i)
+  {
+    if (measured.Roles[i] == vtkshadows::PixelRole::Measured &&
+      std::abs(measured.Truth[i] - nearby[i]) > 0.5f)
+    {
+      measured.Roles[i] = vtkshadows::PixelRole::Uncertain;
+    }
   }
   // A headlight is lit everywhere by definition, and its truth with it.
   if (this->Scene->GetLights()[light].AtEye)
@@ -313,70 +297,6 @@ bool vtkShadowPass::MeasureLight(vtkRenderer* renderer, vtkLight* light, Measure
                << frame.Size[0] << " x " << frame.Size[1] << " pixels. Use a smaller window.");
   }
   return done;
-#endif
-}
-
-//------------------------------------------------------------------------------
-// Hold what a technique makes of `lights`, as it is set, against the truth, in this view.
-bool vtkShadowPass::Internals::MeasureErrors(MeasuredView& view,
-  const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::string& name,
-  const std::vector<int>& lights, std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
-{
-#ifdef VTKSHADOWS_WITH_EMBREE
-  vtkShadowTechniquePass* technique = this->Find(name);
-  std::vector<vtkShadowedShadingPass::LightPlan> measuredPlan = plan;
-  for (vtkShadowedShadingPass::LightPlan& entry : measuredPlan)
-  {
-    entry.Technique = nullptr;
-    entry.Strength = 1.0f;
-    entry.MaximumDistance = 0.0f;
-  }
-  technique->NumberOfSlots = 0;
-  for (const int i : lights)
-  {
-    measuredPlan[i].Technique = technique;
-    measuredPlan[i].Slot = technique->NumberOfSlots++;
-  }
-  const vtkShadowFrame& frame = view.Frame;
-  this->Shading->SetPlan(measuredPlan);
-  this->Shading->Attach(frame);
-  view.Receivers.Invalidate();
-  bool done = technique->UpdateVisibility(frame, lights);
-  this->Shading->ActivateTextures();
-  for (std::size_t i = 0; done && i < lights.size(); ++i)
-  {
-    auto known = view.Truths.find(lights[i]);
-    if (known == view.Truths.end())
-    {
-      known = view.Truths.emplace(lights[i], Measured()).first;
-      done = this->TraceTruth(frame, view.Receivers, lights[i],
-        std::max(vtkshadows::TruthSamples, this->SamplesOfTruth()), known->second);
-    }
-    Measured& measured = known->second;
-    done = done && view.Receivers.DrawVisibility(frame, lights[i], measured.Visibility);
-    if (!done)
-    {
-      view.Truths.erase(known);
-      break;
-    }
-    vtkshadows::VisibilityImages images;
-    images.width = view.Size[0];
-    images.height = view.Size[1];
-    images.visibility = measured.Visibility.data();
-    images.truth = measured.Truth.data();
-    images.role = measured.Roles.data();
-    const vtkshadows::VisibilityError error =
-      vtkshadows::MeasureVisibility(images, GrossDistance * view.Scale);
-    errors.push_back(error.receiverPixels > 0
-        ? std::optional<vtkshadows::ErrorPercents>(
-            vtkshadows::ErrorPercents::Of(error, view.Scale < 1.0))
-        : std::nullopt);
-  }
-  this->Shading->Detach();
-  technique->NumberOfSlots = 0;
-  return done;
-#else
-  return false;
 #endif
 }
 

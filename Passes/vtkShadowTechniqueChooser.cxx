@@ -40,13 +40,13 @@ constexpr double MeasuringShareOnTheWay = 8.0;
 constexpr double MeasuringShare = 20.0;
 // The same for each setting that is not in use, as long as what is serves and something moves.
 constexpr double MeasuringShareOfOthers = 100.0;
+// Seconds between two frames that may be a pause between two motions.
+constexpr double ShortestPause = 0.1;
 // A setting expected to cost this many times the cheapest that is right is not measured.
 constexpr double NotPromising = 4.0;
-// Times what was measured that an error may be at once, for what is chosen already and for what is
-// not; and what drift adds.
-constexpr double MarginOfChosen = 1.05;
-constexpr double MarginOfOthers = 1.25;
-constexpr double MarginOfDrift = 2.0;
+// Times what was measured that an error may be at once, and of what was drawn by and found wrong.
+constexpr double Margin = 1.05;
+constexpr double MarginOfRefused = 1.25;
 
 // What an error counts as at least that was measured, percent: less is not told from none.
 constexpr double LeastMeasured = 1.0e-4;
@@ -96,6 +96,22 @@ void vtkShadowTechniqueChooser::Rest()
   this->IsChosen = false;
   this->Chosen.clear();
   this->Unseen.clear();
+}
+
+//------------------------------------------------------------------------------
+// Measures are paid for by the time that frames take: a pause makes none of them due.
+void vtkShadowTechniqueChooser::NoteTime(bool isDrawn)
+{
+  if (isDrawn)
+  {
+    const double now = vtkShadowSeconds();
+    const double pause = std::max(ShortestPause, 2.0 * this->FrameSeconds);
+    this->DrawingSeconds +=
+      std::max(std::min(now - this->FrameStart, pause) - this->MeasuringSeconds, 0.0);
+    this->FrameStart = now;
+    this->Errors.SetTime(this->DrawingSeconds);
+  }
+  this->MeasuringSeconds = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -257,10 +273,33 @@ bool vtkShadowTechniqueChooser::IsInUse(const Setting& setting, const ChosenLigh
   return known != this->InUse.end() && known->second == setting;
 }
 
-double vtkShadowTechniqueChooser::MarginOf(
-  const Setting& setting, const ChosenLight& light, double drift) const
+// Times the error of a record that it may be after a drift.
+double vtkShadowTechniqueChooser::MarginOf(const Setting& setting, const ChosenLight& light,
+  const vtkShadowMeasuredErrors::Record& record, double drift) const
 {
-  return (this->IsInUse(setting, light) ? MarginOfChosen : MarginOfOthers) + MarginOfDrift * drift;
+  return (record.WasRefused && !this->IsInUse(setting, light) ? MarginOfRefused : Margin) +
+    record.Rate * drift;
+}
+
+// What the last frame was drawn by and this one may not be, so that it does not come and go.
+void vtkShadowTechniqueChooser::NoteRefusals()
+{
+  for (std::size_t i = 0; i < this->Chosen.size(); ++i)
+  {
+    const auto used = this->InUse.find(this->Chosen[i].Source);
+    const auto known =
+      used == this->InUse.end() ? this->Verdicts.end() : this->Verdicts.find(used->second.Text());
+    if (known != this->Verdicts.end() && !known->second[i].IsRight)
+    {
+      this->Errors.Refuse(used->second, this->Chosen[i].Now);
+    }
+  }
+}
+
+void vtkShadowTechniqueChooser::SetBudget(const vtkshadows::ShadowBudget& budget)
+{
+  this->Budget = budget;
+  this->Errors.ForgiveAll();
 }
 
 // What is urgent may be needed for this frame.
@@ -280,14 +319,15 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   }
   const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
   const bool soft = light.Needs.isSoft;
-  if (!vtkshadows::IsWithin(this->Budget, record->Error, soft, this->MarginOf(setting, light, 0.0)))
+  if (!vtkshadows::IsWithin(
+        this->Budget, record->Error, soft, this->MarginOf(setting, light, *record, 0.0)))
   {
     return record->Drift > OtherPicture && !mayWait;
   }
   const bool isOnTheWay = light.Step > 0.0 && light.Step <= OneStep &&
     record->Elapsed < MeasuringShareOnTheWay * record->Cost;
   const bool isClose = !vtkshadows::IsWithin(
-    this->Budget, record->Error, soft, this->MarginOf(setting, light, record->Drift));
+    this->Budget, record->Error, soft, this->MarginOf(setting, light, *record, record->Drift));
   if (this->IsMoving)
   {
     return (isClose || record->Drift > SamePicture) && !mayWait;
@@ -353,8 +393,8 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
       verdict.Error = isOfThis ? std::make_optional(record->Error) : std::nullopt;
       const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture) : record->Drift;
       verdict.IsRight = isOfThis &&
-        vtkshadows::IsWithin(
-          this->Budget, record->Error, verdict.Soft, this->MarginOf(setting, light, drift));
+        vtkshadows::IsWithin(this->Budget, record->Error, verdict.Soft,
+          this->MarginOf(setting, light, *record, drift));
     }
     else
     {
@@ -562,7 +602,7 @@ std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& request)
 {
-  this->MeasuringSeconds = 0.0;
+  this->NoteTime(request.IsDrawn);
   this->NoteMotion(request);
   this->Settings.Note(request.Pass);
   this->Scene = this->Needs.Of(*request.Frame, request.HasRays, request.Planes);
@@ -602,6 +642,7 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
     std::copy_n(counts, 3, this->TimedFor);
   }
   const std::vector<FrameWay> ways = this->WaysFor(request);
+  this->NoteRefusals();
   if (ways.empty())
   {
     this->IsChosen = false;
@@ -638,6 +679,7 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
 //------------------------------------------------------------------------------
 void vtkShadowTechniqueChooser::FrameDrawn(std::optional<double> seconds)
 {
+  this->FrameSeconds = vtkShadowSeconds() - this->FrameStart;
   if (this->IsChosen && !this->Holds && this->WasJustMoved == this->IsMoving)
   {
     // A measure disturbs what is timed after it, too: caches, and the driver's queue.

@@ -48,7 +48,7 @@ public:
     return this->Settings.OwnSamples(technique);
   }
 
-  void SetBudget(const vtkshadows::ShadowBudget& budget) { this->Budget = budget; }
+  void SetBudget(const vtkshadows::ShadowBudget& budget);
   const vtkshadows::ShadowBudget& GetBudget() const { return this->Budget; }
 
   // Around the drawing of a frame. BeginFrame says whether it is to be timed; `seconds` without
@@ -87,6 +87,7 @@ private:
     bool Soft = false;
   };
 
+  void NoteTime(bool isDrawn);
   void NoteMotion(const Request& request);
   void NoteSteps(bool isDrawn);
   std::vector<ChosenLight> LightsOf(const Request& request, const std::vector<bool>& reach) const;
@@ -96,7 +97,9 @@ private:
     const std::function<bool(const ChosenLight&)>& isUrgent);
   bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
   bool IsInUse(const Setting& setting, const ChosenLight& light) const;
-  double MarginOf(const Setting& setting, const ChosenLight& light, double drift) const;
+  double MarginOf(const Setting& setting, const ChosenLight& light,
+    const vtkShadowMeasuredErrors::Record& record, double drift) const;
+  void NoteRefusals();
   std::vector<Setting> JudgeSettings(const Request& request);
   std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
   double CostOf(const Setting& setting, const ChosenLight& light) const;
@@ -122,6 +125,9 @@ private:
   bool Holds = false;
   std::map<const vtkLight*, Setting> InUse; // the same, by light
   double MeasuringSeconds = 0.0;
+  double DrawingSeconds = 0.0; // while frames were drawn one after another, without measures
+  double FrameStart = 0.0;     // of the last frame, by the clock
+  double FrameSeconds = 0.0;   // that it took
   double TimedFor[3] = { 0.0, 0.0, 0.0 }; // triangles, pixels and lights that times are of
 
   bool IsMoving = false;

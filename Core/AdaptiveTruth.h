@@ -1,0 +1,64 @@
+// The truth of a light with a radius, traced only as finely as telling an error needs: a few rays
+// at every pixel, many at some of those in or beside a penumbra, and many wherever a technique
+// seems to be grossly wrong. Plain C++, no VTK, no OpenGL.
+#ifndef vtkshadows_AdaptiveTruth_h
+#define vtkshadows_AdaptiveTruth_h
+
+#include "VisibilityError.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace vtkshadows
+{
+
+class AdaptiveTruth
+{
+public:
+  // Rays to as many samples of the light from each pixel i with which[i] not 0, starting so many
+  // times the ray epsilon off their surfaces: their mean visibility into visibility[i], whose other
+  // entries stay. false if it cannot.
+  using Trace = std::function<bool(int samples, double epsilonScale,
+    const std::vector<unsigned char>& which, std::vector<float>& visibility)>;
+
+  struct Settings
+  {
+    int width = 0;
+    int height = 0;
+    int coarse = 8;             // rays at every pixel
+    int fine = 256;             // rays where it is partial
+    double samplePixels = 3e4;  // of the measured ones, from which differences are told
+    double edgeDistance = 2.0;  // pixels, as of MeasureVisibility
+    std::size_t checked = 1000; // pixels a measure that are traced finely for seeming gross
+  };
+
+  // `roles`: one a pixel, none of them Uncertain yet. false if a trace fails.
+  bool Begin(const Settings& settings, std::vector<PixelRole> roles, Trace trace);
+
+  // Hold `visibility`, one a pixel, against it. Differences and mismatch are of the pixels that
+  // were chosen for them, gross pixels and receiver pixels of all; a mismatch is gross once fine
+  // rays say so. false if a trace fails.
+  bool Measure(const std::vector<float>& visibility, VisibilityError& error);
+
+  // For tests: pixels that many rays were traced from.
+  std::size_t GetFinePixels() const { return this->FinePixels; }
+
+private:
+  bool TraceFinely(const std::vector<unsigned char>& which);
+  VisibilityImages ImagesOf(
+    const std::vector<float>& visibility, const std::vector<PixelRole>& roles) const;
+
+  Settings With;
+  Trace Tracer;
+  std::vector<float> Truth;
+  std::vector<PixelRole> Roles;
+  std::vector<unsigned char> IsSample;
+  std::vector<unsigned char> IsFine;
+  std::size_t FinePixels = 0;
+};
+
+}
+
+#endif

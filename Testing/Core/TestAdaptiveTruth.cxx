@@ -1,0 +1,151 @@
+#include "AdaptiveTruth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using vtkshadows::AdaptiveTruth;
+using vtkshadows::PixelRole;
+using vtkshadows::VisibilityError;
+
+constexpr int Width = 400;
+constexpr int Height = 300;
+
+// A half plane in shadow with a penumbra 60 pixels wide, its samples at even steps.
+float Edge(std::size_t i, int samples)
+{
+  const double lit = std::clamp((static_cast<double>(i % Width) - 170.0) / 60.0, 0.0, 1.0);
+  return static_cast<float>(std::floor(lit * samples + 0.5) / samples);
+}
+
+struct Picture
+{
+  AdaptiveTruth truth;
+  std::size_t rays = 0;
+
+  explicit Picture(double epsilonAt = 1e9)
+  {
+    AdaptiveTruth::Settings settings;
+    settings.width = Width;
+    settings.height = Height;
+    settings.samplePixels = 20000.0;
+    std::vector<PixelRole> roles(Width * Height, PixelRole::Measured);
+    std::fill(roles.begin() + 250 * Width, roles.end(), PixelRole::Background);
+    const auto trace = [this, epsilonAt](int samples, double scale,
+                         const std::vector<unsigned char>& which, std::vector<float>& visibility)
+    {
+      for (std::size_t i = 0; i < which.size(); ++i)
+      {
+        if (which[i])
+        {
+          this->rays += samples;
+          // A strip at the right is in its own shadow, unless rays start farther off.
+          const bool isOwn = static_cast<double>(i % Width) > epsilonAt && scale < 2.0;
+          visibility[i] = isOwn ? 0.0f : Edge(i, samples);
+        }
+      }
+      return true;
+    };
+    EXPECT_TRUE(this->truth.Begin(settings, roles, trace));
+  }
+
+  VisibilityError Measure(const std::vector<float>& visibility)
+  {
+    VisibilityError error;
+    EXPECT_TRUE(this->truth.Measure(visibility, error));
+    return error;
+  }
+};
+
+std::vector<float> Right(int samples)
+{
+  std::vector<float> visibility(Width * Height);
+  for (std::size_t i = 0; i < visibility.size(); ++i)
+  {
+    visibility[i] = Edge(i, samples);
+  }
+  return visibility;
+}
+
+TEST(AdaptiveTruth, WhatIsRightHasNoError)
+{
+  Picture picture;
+  const VisibilityError error = picture.Measure(Right(256));
+  EXPECT_EQ(error.receiverPixels, 250u * Width);
+  EXPECT_EQ(error.GrossPixels(), 0u);
+  EXPECT_EQ(error.mismatchPixels, 0u);
+  EXPECT_LT(error.MeanPenumbraDifference(), 0.005);
+  // Many rays at a fifth of the penumbra's pixels, and nowhere else.
+  EXPECT_LT(picture.truth.GetFinePixels(), 0.25 * 66 * 250);
+  EXPECT_GT(picture.truth.GetFinePixels(), 0.15 * 56 * 250);
+  EXPECT_LT(picture.rays, 0.1 * 256 * 250 * Width);
+}
+
+// Steps of a few samples, as all pixels' truth would tell them: a quarter of a step in the mean.
+TEST(AdaptiveTruth, DifferencesOfFewSamples)
+{
+  Picture picture;
+  for (const int samples : { 2, 4, 16 })
+  {
+    const VisibilityError error = picture.Measure(Right(samples));
+    EXPECT_EQ(error.GrossPixels(), 0u);
+    EXPECT_NEAR(error.MeanPenumbraDifference(), 0.25 / samples, 0.04 / samples) << samples;
+    EXPECT_NEAR(error.MeanAbsoluteDifference(), 0.25 / samples * 60.0 / Width, 0.01 / samples);
+  }
+}
+
+// Single pixels anywhere, whether they are of the sample or not; not of a mere step of the coarse
+// truth.
+TEST(AdaptiveTruth, GrossPixelsAreFoundEverywhere)
+{
+  Picture picture;
+  std::vector<float> visibility = Right(256);
+  for (int k = 0; k < 7; ++k)
+  {
+    visibility[(20 + 30 * k) * Width + 300 + 10 * k] = 0.0f;
+    visibility[(25 + 30 * k) * Width + 20 + 10 * k] = 1.0f;
+  }
+  const VisibilityError error = picture.Measure(visibility);
+  EXPECT_EQ(error.grossFalsePixels, 7u);
+  EXPECT_EQ(error.grossMissedPixels, 7u);
+}
+
+TEST(AdaptiveTruth, ManyGrossPixels)
+{
+  Picture picture;
+  const VisibilityError error = picture.Measure(std::vector<float>(Width * Height, 1.0f));
+  EXPECT_EQ(error.grossFalsePixels, 0u);
+  EXPECT_NEAR(static_cast<double>(error.grossMissedPixels), 198.0 * 250, 3.0 * 250);
+}
+
+// A technique that is right where the coarse truth hangs on the epsilon is not blamed.
+TEST(AdaptiveTruth, WhatHangsOnTheEpsilon)
+{
+  Picture picture(389.5); // ten columns
+  const VisibilityError error = picture.Measure(Right(256));
+  EXPECT_LT(error.GrossPixels(), 10u * 250 / 20);
+  EXPECT_GT(error.uncertainPixels, 400u);
+}
+
+TEST(AdaptiveTruth, NothingToMeasure)
+{
+  AdaptiveTruth truth;
+  AdaptiveTruth::Settings settings;
+  settings.width = 3;
+  settings.height = 2;
+  const auto trace = [](int, double, const std::vector<unsigned char>&, std::vector<float>&)
+  { return true; };
+  EXPECT_TRUE(truth.Begin(settings, std::vector<PixelRole>(6, PixelRole::Background), trace));
+  VisibilityError error;
+  EXPECT_TRUE(truth.Measure(std::vector<float>(6, 0.0f), error));
+  EXPECT_EQ(error.receiverPixels, 0u);
+  const auto fails = [](int, double, const std::vector<unsigned char>&, std::vector<float>&)
+  { return false; };
+  EXPECT_FALSE(truth.Begin(settings, std::vector<PixelRole>(6, PixelRole::Measured), fails));
+}
+
+}
