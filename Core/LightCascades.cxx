@@ -22,7 +22,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // A cascade is larger than what the eye sees by this share: how far the eye may go or turn before
 // the map is drawn again, against how fine its texels are.
-constexpr double GuardBand = 0.15;
+constexpr double GuardBand = 0.12;
 
 // Texels are worth a map of their own if they are finer by this factor.
 constexpr double WorthwhileGain = 1.5;
