@@ -2,13 +2,7 @@
 
 import json
 
-# More than that of the receiver pixels, in percent, is gross error: one pixel in 100 000. A single one is none.
-MOST_GROSS = 1e-3
-
-# Percent of the pixels that may be wrong without a budget, where things are so thin that no pixel is far from an edge.
-MOST_MISMATCH = 2.0
-# Of a soft light, in the mean over all pixels and over those of the penumbra: what auto keeps to without a budget.
-MOST_SOFT_DIFFERENCE, MOST_PENUMBRA_DIFFERENCE = 0.01, 0.04
+from error_limits import ErrorLimits
 
 PEER = "vtk-shadow-map"
 KINDS = ("static", "moving")
@@ -26,6 +20,11 @@ class Report:
         for key in ("machine", "plan", "scenes", "rows", "fits"):
             if key not in data:
                 raise ValueError(f'{path}: has no "{key}"; give a bench.json of vtkshadows bench')
+        try:
+            self.limits = ErrorLimits.of_json(data.get("limits", {}))
+        except KeyError as error:
+            raise ValueError(f'{path}: has no {error} among "limits": an older vtkshadows wrote it; vtkshadows bench --resume '
+                             "with the same options writes it anew, and measures nothing again") from None  # fmt: skip
         self.machine, self.plan, self.fits = data["machine"], data["plan"], data["fits"]
         self.failures = [row["key"] for row in data["rows"] if row["failure"]]
         rows = [row for row in data["rows"] if not row["failure"]]
@@ -37,6 +36,12 @@ class Report:
     def of(self, scene, soft=False):
         return [row for row in self.rows if row["scene"] == scene and row["soft"] == soft]
 
+    def is_gross(self, row):
+        return any(self.limits.is_gross(error) for error in row["errors"])
+
+    def is_right(self, row, most_mismatch=None):
+        return all(self.limits.is_right(error, row["soft"], most_mismatch) for error in row["errors"])
+
 
 def worst(row, measure):
     """Of a row's lights the one that is most wrong."""
@@ -46,21 +51,6 @@ def worst(row, measure):
 def is_choice(row):
     """Whether it is a fixed setting of ours: neither what is chosen, nor none, nor VTK's own pass."""
     return row["technique"] not in ("auto", "none", PEER)
-
-
-def is_gross(row):
-    return any(error["gross_false_pixels"] + error["gross_missed_pixels"] > max(1, 0.01 * MOST_GROSS * error["receiver_pixels"])
-               for error in row["errors"])  # fmt: skip
-
-
-def is_right(row, most_mismatch=None):
-    """Without gross error, and at most so much mismatch, in percent; soft, within what is hard to see beside the truth."""
-    if is_gross(row):
-        return False
-    if row["soft"]:
-        return (worst(row, "mean_absolute_difference") <= MOST_SOFT_DIFFERENCE
-                and worst(row, "mean_penumbra_difference") <= MOST_PENUMBRA_DIFFERENCE)  # fmt: skip
-    return worst(row, "mismatch_percent") <= (MOST_MISMATCH if most_mismatch is None else most_mismatch)
 
 
 def cheapest(rows, kind):

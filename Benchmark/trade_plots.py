@@ -4,7 +4,7 @@ import math
 
 import matplotlib
 import matplotlib.pyplot as plt
-from bench_report import KINDS, PEER, is_gross, pareto_front, worst
+from bench_report import KINDS, PEER, pareto_front, worst
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from trade_tables import autos, over_best
@@ -88,7 +88,7 @@ def error_against_time(report, kind, soft):
         points = []
         for row in rows:
             x, y = row["ratio_" + kind], max(worst(row, measure), floor)
-            scatter(axes, x, y, row["technique"], soft or not is_gross(row))
+            scatter(axes, x, y, row["technique"], soft or not report.is_gross(row))
             techniques.add(row["technique"])
             if row["technique"] != "none":
                 points.append((x, y))

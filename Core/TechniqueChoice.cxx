@@ -29,7 +29,9 @@ std::string JoinedText(const std::vector<std::string>& parts, const char* last)
 // All pixels were measured, and a single one is gross.
 bool IsOnePixel(const ErrorPercents& error)
 {
-  return !error.isSampled && error.gross > 0.0 && error.gross * error.pixels < 1.5 * 100.0;
+  static_assert(MostGrossPixels == 1, "several are not told of as one");
+  return !error.isSampled && error.gross > 0.0 &&
+    error.gross * error.pixels < 100.0 * (MostGrossPixels + 0.5);
 }
 
 bool IsGross(const ErrorPercents& error, double margin)

@@ -111,6 +111,7 @@ struct ErrorPercents
 // beside the truth: a mean difference over all pixels, and one over those of the penumbra, where
 // few samples show as steps.
 constexpr double MostGrossPercent = 0.001;
+constexpr int MostGrossPixels = 1;
 constexpr double MostMismatchPercent = 2.0;
 constexpr double MostSoftDifferencePercent = 1.0;
 constexpr double MostPenumbraDifferencePercent = 4.0;

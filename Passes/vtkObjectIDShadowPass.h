@@ -18,8 +18,8 @@
  *
  * Limits: an edge is as sharp as the map's texels. IDs are 32 - DepthBits bits wide and at most
  * 65535, or what the driver's buffer textures hold of them for each map: further objects share
- * them, one warning says so. Impostors, glyphs with level of detail or of several data sets, and
- * what a geometry shader draws (visible edges, wide lines) are one object for each prop. Without
+ * them, one warning says so. Impostors, glyphs with level of detail or of a source tree, and what a
+ * geometry shader draws (visible edges, wide lines) are one object for each prop. Without
  * CombineDepth a texel says no more of another object than its nearest depth: a receiver between
  * two parts of it, or one that does not cast itself, is in shadow of what lies behind it.
  *
@@ -46,7 +46,7 @@ public:
   enum ObjectType
   {
     PROP = 0,     // each prop; of an assembly, each part
-    BLOCK = 1,    // and each block of a composite data set
+    BLOCK = 1,    // and each block of a composite data set, with the glyphs at its points
     INSTANCE = 2, // and each instance of a glyph mapper
     PIECE = 3     // and, of meshes and blocks, each piece that is connected by points
   };

@@ -5,12 +5,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCompositePolyDataMapper.h"
 #if __has_include("vtkCompositePolyDataMapper2.h")
 #include "vtkCompositePolyDataMapper2.h"
 #endif
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGlyph3DMapper.h"
@@ -31,6 +32,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace
 {
@@ -153,46 +156,34 @@ void AppendDataSet(Geometry& out, vtkDataObject* data, const glm::dmat4& traceFr
   }
 }
 
-vtkCompositeDataDisplayAttributes* AttributesOf(vtkMapper* mapper)
-{
-#if __has_include("vtkCompositePolyDataMapper2.h")
-  if (auto* composite2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
-  {
-    return composite2->GetCompositeDataDisplayAttributes();
-  }
-#endif
-#if VTK_VERSION_NUMBER >= 90300000000ULL
-  if (auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper))
-  {
-    return composite->GetCompositeDataDisplayAttributes();
-  }
-#endif
-  return nullptr;
-}
-
-// Blocks inherit their parent's visibility unless they have one of their own.
-void AppendTree(Geometry& out, vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
-  bool visible, const glm::dmat4& traceFromModel)
+// Calls use(leaf) for the leaves of `data` that are not hidden, in the order in which VTK draws
+// them. Where `inherits`, blocks have their parent's visibility unless they have one of their own.
+template <typename Use>
+void ForEachVisible(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
+  bool inherits, bool visible, const Use& use)
 {
   if (attributes && attributes->HasBlockVisibility(data))
   {
     visible = attributes->GetBlockVisibility(data);
   }
-  auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  if (!tree)
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
   {
     if (visible)
     {
-      AppendDataSet(out, data, traceFromModel);
+      use(data);
     }
     return;
   }
-  auto it = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  it->VisitOnlyLeavesOff();
-  it->TraverseSubTreeOff();
+  auto it = vtk::TakeSmartPointer(composite->NewIterator());
+  if (auto* children = vtkDataObjectTreeIterator::SafeDownCast(it))
+  {
+    children->VisitOnlyLeavesOff();
+    children->TraverseSubTreeOff();
+  }
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
-    AppendTree(out, it->GetCurrentDataObject(), attributes, visible, traceFromModel);
+    ForEachVisible(it->GetCurrentDataObject(), attributes, inherits, !inherits || visible, use);
   }
 }
 
@@ -401,21 +392,31 @@ private:
 template <typename Use>
 void ForEachDataSet(vtkDataObject* data, const Use& use)
 {
-  if (auto* leaf = vtkDataSet::SafeDownCast(data))
-  {
-    use(leaf);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto it = vtk::TakeSmartPointer(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  ForEachVisible(data, nullptr, true, true,
+    [&use](vtkDataObject* leaf)
     {
-      if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      if (auto* dataSet = vtkDataSet::SafeDownCast(leaf))
       {
-        use(block);
+        use(dataSet);
       }
-    }
-  }
+    });
+}
+
+// The data sets at whose points a mapper draws glyphs, in its order.
+template <typename Use>
+void ForEachGlyphSet(vtkGlyph3DMapper* mapper, const Use& use)
+{
+  // VTK before 9.3 takes no notice of a hidden branch here.
+  constexpr bool inherits = VTK_VERSION_NUMBER >= 90300000000ULL;
+  ForEachVisible(mapper->GetInputDataObject(0, 0), Geometry::AttributesOf(mapper), inherits, true,
+    [&use](vtkDataObject* leaf)
+    {
+      auto* points = vtkDataSet::SafeDownCast(leaf);
+      if (points && points->GetNumberOfPoints() > 0)
+      {
+        use(points);
+      }
+    });
 }
 
 void AppendGlyphsAt(
@@ -456,8 +457,8 @@ void AppendGlyphsAt(
 
 void AppendGlyphs(Geometry& out, vtkGlyph3DMapper* mapper, const glm::dmat4& traceFromModel)
 {
-  ForEachDataSet(mapper->GetInputDataObject(0, 0),
-    [&](vtkDataSet* points) { AppendGlyphsAt(out, mapper, points, traceFromModel); });
+  ForEachGlyphSet(
+    mapper, [&](vtkDataSet* points) { AppendGlyphsAt(out, mapper, points, traceFromModel); });
 }
 
 // How far an impostor reaches from its centre; 0 if the mapper draws none.
@@ -547,8 +548,8 @@ vtkShadowCasterGeometry::Survey vtkShadowCasterGeometry::SurveyOf(
   else if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(piece.Mapper))
   {
     double points = 0.0;
-    ForEachDataSet(
-      input, [&](vtkDataSet* data) { points += static_cast<double>(data->GetNumberOfPoints()); });
+    ForEachGlyphSet(
+      glyphs, [&](vtkDataSet* data) { points += static_cast<double>(data->GetNumberOfPoints()); });
     const int sources = glyphs->GetNumberOfInputConnections(1);
     for (int i = 0; i < sources; ++i)
     {
@@ -621,34 +622,63 @@ vtkShadowCasterGeometry::VertexPlace vtkShadowCasterGeometry::PlaceOfVertices(vt
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<glm::dmat4>> vtkShadowCasterGeometry::InstancesOf(vtkGlyph3DMapper* mapper)
+vtkCompositeDataDisplayAttributes* vtkShadowCasterGeometry::AttributesOf(vtkMapper* mapper)
 {
-  // Of several blocks, a draw of their one source does not tell which.
-  std::vector<vtkDataSet*> blocks;
-  ForEachDataSet(mapper->GetInputDataObject(0, 0),
-    [&blocks](vtkDataSet* block)
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    return glyphs->GetBlockAttributes();
+  }
+#if __has_include("vtkCompositePolyDataMapper2.h")
+  if (auto* composite2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  {
+    return composite2->GetCompositeDataDisplayAttributes();
+  }
+#endif
+#if VTK_VERSION_NUMBER >= 90300000000ULL
+  if (auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper))
+  {
+    return composite->GetCompositeDataDisplayAttributes();
+  }
+#endif
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowCasterGeometry::GlyphDraw> vtkShadowCasterGeometry::GlyphDrawsOf(
+  vtkGlyph3DMapper* mapper)
+{
+  std::vector<GlyphDraw> draws;
+  if (mapper->GetUseSourceTableTree())
+  {
+    return draws;
+  }
+  const int count = mapper->GetNumberOfInputConnections(1);
+  std::set<vtkDataSet*> known;
+  ForEachGlyphSet(mapper,
+    [&](vtkDataSet* points)
     {
-      if (block->GetNumberOfPoints() > 0)
+      if (!known.insert(points).second)
       {
-        blocks.push_back(block);
+        return;
+      }
+      std::vector<std::vector<glm::dmat4>> instances(count);
+      const GlyphPlacer placer(mapper, points);
+      for (vtkIdType i = 0; count > 0 && i < points->GetNumberOfPoints(); ++i)
+      {
+        if (!placer.IsMasked(i))
+        {
+          instances[placer.SourceOf(i, count)].push_back(placer.ModelFromGlyph(i));
+        }
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        if (!instances[i].empty())
+        {
+          draws.push_back({ points, mapper->GetSource(i), std::move(instances[i]) });
+        }
       }
     });
-  const int count = mapper->GetNumberOfInputConnections(1);
-  if (blocks.size() != 1 || count < 1 || mapper->GetUseSourceTableTree())
-  {
-    return {};
-  }
-  vtkDataSet* const points = blocks.front();
-  std::vector<std::vector<glm::dmat4>> instances(count);
-  const GlyphPlacer placer(mapper, points);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    if (!placer.IsMasked(i))
-    {
-      instances[placer.SourceOf(i, count)].push_back(placer.ModelFromGlyph(i));
-    }
-  }
-  return instances;
+  return draws;
 }
 
 //------------------------------------------------------------------------------
@@ -670,8 +700,8 @@ vtkShadowCasterGeometry vtkShadowCasterGeometry::Extract(const vtkShadowScene::P
   }
   else
   {
-    AppendTree(out, piece.Mapper->GetInputDataObject(0, 0), AttributesOf(piece.Mapper), true,
-      traceFromModel);
+    ForEachVisible(piece.Mapper->GetInputDataObject(0, 0), AttributesOf(piece.Mapper), true, true,
+      [&](vtkDataObject* leaf) { AppendDataSet(out, leaf, traceFromModel); });
   }
   ClipByPlanes(out, piece.Mapper, worldFromTrace);
   return out;

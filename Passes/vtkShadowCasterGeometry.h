@@ -12,7 +12,10 @@
 #include <string>
 #include <vector>
 
+class vtkCompositeDataDisplayAttributes;
+class vtkDataSet;
 class vtkGlyph3DMapper;
+class vtkPolyData;
 
 struct vtkShadowCasterGeometry
 {
@@ -39,10 +42,19 @@ struct vtkShadowCasterGeometry
   };
   static VertexPlace PlaceOfVertices(vtkMapper* mapper);
 
-  // Where a glyph mapper puts each of its sources: a matrix for each instance, in the order in
-  // which VTK draws them. Empty if it draws sources from a tree, or at the points of several data
-  // sets.
-  static std::vector<std::vector<glm::dmat4>> InstancesOf(vtkGlyph3DMapper* mapper);
+  // How blocks of a mapper's data set are drawn; nullptr: all are.
+  static vtkCompositeDataDisplayAttributes* AttributesOf(vtkMapper* mapper);
+
+  // What a glyph mapper draws at once: one of its sources, at the points of one data set.
+  struct GlyphDraw
+  {
+    vtkDataSet* Points;
+    vtkPolyData* Source;
+    std::vector<glm::dmat4> ModelFromGlyph; // by instance
+  };
+  // In VTK's order, of a data set that is in several blocks once. Empty where sources are from a
+  // tree.
+  static std::vector<GlyphDraw> GlyphDrawsOf(vtkGlyph3DMapper* mapper);
 
   // What a piece is, without its triangles being gone through one by one.
   struct Survey

@@ -1,5 +1,6 @@
 #include "vtkShadowErrorMeasure.h"
 
+#include "TechniqueChoice.h"
 #include "vtkShadowMeasured.h"
 
 #include "vtkImageData.h"
@@ -164,6 +165,32 @@ vtkImageData* vtkShadowErrorMeasure::GetTruth()
 vtkImageData* vtkShadowErrorMeasure::GetErrorMap()
 {
   return this->ErrorMap;
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowErrorMeasure::GetMostGrossPercent()
+{
+  return vtkshadows::MostGrossPercent;
+}
+
+int vtkShadowErrorMeasure::GetMostGrossPixels()
+{
+  return vtkshadows::MostGrossPixels;
+}
+
+double vtkShadowErrorMeasure::GetMostMismatchPercent()
+{
+  return vtkshadows::MostMismatchPercent;
+}
+
+double vtkShadowErrorMeasure::GetMostSoftDifferencePercent()
+{
+  return vtkshadows::MostSoftDifferencePercent;
+}
+
+double vtkShadowErrorMeasure::GetMostPenumbraDifferencePercent()
+{
+  return vtkshadows::MostPenumbraDifferencePercent;
 }
 
 //------------------------------------------------------------------------------

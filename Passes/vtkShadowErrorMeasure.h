@@ -86,6 +86,19 @@ public:
 
   ///@{
   /**
+   * What "auto" keeps to without a budget. Gross pixels: a share of ReceiverPixels in percent, and
+   * never less than a number of them. Of a hard light MismatchPercent; of one with a radius the
+   * mean differences over all pixels and over the penumbra, in percent.
+   */
+  static double GetMostGrossPercent();
+  static int GetMostGrossPixels();
+  static double GetMostMismatchPercent();
+  static double GetMostSoftDifferencePercent();
+  static double GetMostPenumbraDifferencePercent();
+  ///@}
+
+  ///@{
+  /**
    * Images of the last measure, of the renderer's size, origin bottom-left. Visibility and truth:
    * one float, 0 to 1, background 1. Error map: RGB bytes: background white, lit light grey, shadow
    * dark grey, not measured mid grey; false shadow orange, gross red; missed shadow sky blue, gross

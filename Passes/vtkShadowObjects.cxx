@@ -9,6 +9,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -121,6 +122,14 @@ std::vector<vtkPolyData*> DrawnMeshes(vtkOpenGLPolyDataMapper* mapper)
   return { mapper->CurrentInput };
 }
 
+// Whether a mesh is a shallow copy of another one.
+bool IsCopyOf(vtkPolyData* mesh, vtkPolyData* drawn)
+{
+  return mesh->GetPoints() == drawn->GetPoints() && mesh->GetPolys() == drawn->GetPolys() &&
+    mesh->GetStrips() == drawn->GetStrips() && mesh->GetLines() == drawn->GetLines() &&
+    mesh->GetVerts() == drawn->GetVerts();
+}
+
 // Of `meshes`, the one that `drawn` is, or is a shallow copy of.
 template <typename Meshes>
 auto OriginalOf(const Meshes& meshes, vtkPolyData* drawn)
@@ -129,13 +138,7 @@ auto OriginalOf(const Meshes& meshes, vtkPolyData* drawn)
   return known != meshes.end()
     ? known
     : std::find_if(meshes.begin(), meshes.end(),
-        [drawn](const auto& entry)
-        {
-          vtkPolyData* mesh = entry.first;
-          return mesh->GetPoints() == drawn->GetPoints() && mesh->GetPolys() == drawn->GetPolys() &&
-            mesh->GetStrips() == drawn->GetStrips() && mesh->GetLines() == drawn->GetLines() &&
-            mesh->GetVerts() == drawn->GetVerts();
-        });
+        [drawn](const auto& entry) { return IsCopyOf(entry.first, drawn); });
 }
 
 void JoinCells(vtkshadows::ConnectedPieces& pieces, vtkCellArray* cells)
@@ -278,14 +281,14 @@ void vtkShadowObjects::AddPiece(
   {
     // The same prop in several places is drawn without a word of which.
     entry.Meshes.clear();
-    entry.Sources.clear();
+    entry.GlyphDraws.clear();
     return;
   }
   if (piece.Mapper->IsA("vtkGlyph3DMapper"))
   {
-    if (this->Of >= Instances)
+    if (this->Of >= Blocks)
     {
-      this->AddInstances(entry, piece, beyond);
+      this->AddGlyphs(entry, piece, beyond);
     }
   }
   else if (this->Of >= Blocks && !prop.Impostors && !DrawsImpostors(piece.Mapper))
@@ -363,33 +366,75 @@ void vtkShadowObjects::AddMeshes(Entry& entry, const vtkShadowScene::Piece& piec
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowObjects::AddInstances(Entry& entry, const vtkShadowScene::Piece& piece, double beyond)
+void vtkShadowObjects::AddGlyphs(Entry& entry, const vtkShadowScene::Piece& piece, double beyond)
 {
   auto* mapper = vtkGlyph3DMapper::SafeDownCast(piece.Mapper);
-  if (!mapper || mapper->GetCullingAndLOD())
+  const bool areApart = this->Of >= Instances;
+  const bool isComposite = !vtkDataSet::SafeDownCast(piece.Mapper->GetInputDataObject(0, 0));
+  // With level of detail, instances are drawn in an order that the GPU finds.
+  if (!mapper || mapper->GetCullingAndLOD() || (!areApart && !isComposite))
   {
-    return; // its instances are drawn in an order that the GPU finds
+    return;
   }
-  const std::vector<std::vector<glm::dmat4>> instances =
-    vtkShadowCasterGeometry::InstancesOf(mapper);
-  for (std::size_t i = 0; i < instances.size(); ++i)
+  vtkDataSet* block = nullptr;
+  int object = 0;
+  for (const vtkShadowCasterGeometry::GlyphDraw& draw :
+    vtkShadowCasterGeometry::GlyphDrawsOf(mapper))
   {
-    vtkPolyData* source = mapper->GetSource(static_cast<int>(i));
-    if (!HasPoints(source))
+    if (!HasPoints(draw.Source))
     {
       continue;
     }
-    if (!entry.Sources.emplace(source->GetPoints(), this->Count).second)
+    if (areApart || draw.Points != block)
     {
-      // Two sources of the same points: a draw does not tell which.
-      entry.Sources[source->GetPoints()] = -1;
+      object = this->Count++;
+      block = draw.Points;
     }
-    const BoxCorners corners = CornersOf(source);
-    for (const glm::dmat4& modelFromGlyph : instances[i])
+    entry.GlyphDraws.push_back({ draw.Source, object });
+    const BoxCorners corners = CornersOf(draw.Source);
+    for (std::size_t i = 0; i < draw.ModelFromGlyph.size(); ++i)
     {
-      this->AddBox(this->Count++, piece.WorldFromModel * modelFromGlyph, corners, beyond);
+      object = areApart && i > 0 ? this->Count++ : object;
+      this->AddBox(object, piece.WorldFromModel * draw.ModelFromGlyph[i], corners, beyond);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// VTK has a mapper for each source at each block, and says nothing of which is whose: it is told by
+// the order in which they are met. The blocks of a frame are drawn by an actor that lives no longer
+// than their drawing, so that another one means that it begins.
+const vtkShadowObjects::GlyphDraw* vtkShadowObjects::GlyphDrawOf(
+  Entry& entry, vtkOpenGLPolyDataMapper* mapper, vtkProp* drawer)
+{
+  const std::vector<GlyphDraw>& draws = entry.GlyphDraws;
+  const auto isOf = [mapper](const GlyphDraw& draw)
+  { return IsCopyOf(draw.Source, mapper->CurrentInput); };
+  if (entry.Drawer != drawer)
+  {
+    entry.Drawer = drawer;
+    entry.Met.clear();
+    entry.Next = 0;
+  }
+  const auto met = entry.Met.find(mapper);
+  if (met != entry.Met.end() && isOf(draws[met->second]))
+  {
+    return &draws[met->second];
+  }
+  auto found = std::find_if(std::next(draws.begin(), entry.Next), draws.end(), isOf);
+  if (found == draws.end())
+  {
+    entry.Met.clear();
+    found = std::find_if(draws.begin(), draws.end(), isOf);
+  }
+  if (found == draws.end())
+  {
+    return nullptr;
+  }
+  const auto index = std::distance(draws.begin(), found);
+  entry.Met[mapper] = static_cast<std::size_t>(index);
+  entry.Next = index + 1;
+  return &*found;
 }
 
 //------------------------------------------------------------------------------
@@ -454,7 +499,7 @@ vtkShadowObjects::Draw vtkShadowObjects::DrawOf(
   {
     return draw;
   }
-  const Entry& entry = known->second;
+  Entry& entry = known->second;
   draw.First = entry.Whole;
   draw.Whole = this->IDOf(entry.Whole);
   auto* drawing = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
@@ -462,13 +507,12 @@ vtkShadowObjects::Draw vtkShadowObjects::DrawOf(
   {
     return draw;
   }
-  if (!entry.Sources.empty() && drawing->CurrentInput)
+  if (!entry.GlyphDraws.empty() && drawing->CurrentInput)
   {
-    const auto source = entry.Sources.find(drawing->CurrentInput->GetPoints());
-    if (source != entry.Sources.end() && source->second >= 0)
+    if (const GlyphDraw* glyphs = GlyphDrawOf(entry, drawing, prop))
     {
-      draw.First = source->second;
-      draw.PerInstance = 1;
+      draw.First = glyphs->First;
+      draw.PerInstance = this->Of >= Instances ? 1 : 0;
     }
   }
   else if (!entry.Meshes.empty())

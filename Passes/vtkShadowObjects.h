@@ -6,8 +6,12 @@
 #include "vtkShadowByPiece.h"
 #include "vtkShadowSceneData.h"
 
+#include "vtkProp.h"
+#include "vtkWeakPointer.h"
+
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -16,8 +20,8 @@
 
 class vtkAbstractMapper;
 class vtkInformation;
+class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
-class vtkPoints;
 class vtkPolyData;
 class vtkShadowTextureBuffer;
 
@@ -91,19 +95,31 @@ private:
     int First = 0;
     const MeshPieces* Pieces = nullptr;
   };
+  // What a glyph mapper draws at once: a source at the points of a block.
+  struct GlyphDraw
+  {
+    vtkPolyData* Source;
+    int First; // object of instance 0, or of them all
+  };
   // A prop that casts.
   struct Entry
   {
     int Whole = -1;
     std::map<vtkPolyData*, Mesh> Meshes;
-    std::map<vtkPoints*, int> Sources; // of a glyph mapper: object of a source's first instance
+    std::vector<GlyphDraw> GlyphDraws; // in VTK's order
+    // Which of these are of which mapper, as far as they were met since `Drawer` began.
+    std::map<vtkAbstractMapper*, std::size_t> Met;
+    vtkWeakPointer<vtkProp> Drawer;
+    std::ptrdiff_t Next = 0; // the first that was not met
   };
   struct VertexTable;
 
   int IDOf(int object) const { return 1 + object % this->MostIDs; }
   void AddPiece(const vtkShadowScene::Prop& prop, const vtkShadowScene::Piece& piece);
   void AddMeshes(Entry& entry, const vtkShadowScene::Piece& piece, double beyond);
-  void AddInstances(Entry& entry, const vtkShadowScene::Piece& piece, double beyond);
+  void AddGlyphs(Entry& entry, const vtkShadowScene::Piece& piece, double beyond);
+  static const GlyphDraw* GlyphDrawOf(
+    Entry& entry, vtkOpenGLPolyDataMapper* mapper, vtkProp* drawer);
   void AddBox(int object, const glm::dmat4& worldFromModel, const vtkshadows::BoxCorners& cornersMC,
     double beyond);
   vtkShadowTextureBuffer* TableOf(

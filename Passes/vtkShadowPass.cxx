@@ -139,6 +139,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   const bool isTimed = this->Internal->Chooser.WantsTime();
   const double start = isTimed ? SecondsOnceDrawn() : 0.0;
   const bool shadowed = !renderer->GetSelector() && this->Internal->Begin(frame, true, false);
+  this->Internal->CulledReceivers =
+    shadowed ? this->Internal->Shading->GetNumberOfCulledReceivers() : 0;
   clock.Start(ShadingStage);
   if (this->Internal->Delegate)
   {
@@ -197,7 +199,7 @@ bool vtkShadowPass::GetCullingIsSettled() const
 
 int vtkShadowPass::GetNumberOfCulledReceivers() const
 {
-  return this->Internal->Shading->GetNumberOfCulledReceivers();
+  return this->Internal->CulledReceivers;
 }
 
 //------------------------------------------------------------------------------
@@ -593,5 +595,6 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";
   os << indent << "DebugLight: " << this->Internal->DebugLight.GetPointer() << "\n";
   os << indent << "CullHiddenFaces: " << this->GetCullHiddenFaces() << "\n";
+  os << indent << "NumberOfCulledReceivers: " << this->GetNumberOfCulledReceivers() << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
 }

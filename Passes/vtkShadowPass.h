@@ -164,7 +164,8 @@ public:
    * frame needs less time. The picture stays, but for single pixels on silhouettes where rounding
    * had a far face in front. VTK's back-face culling does it, of actors that have none set, whose
    * surface is proven not to pass through itself and lies beyond the near plane. The proof is made
-   * once a shape, in a thread of its own, when a second frame shows it. Not with a delegate pass.
+   * once a shape, in a thread of its own, when a second frame shows it. Not with a delegate pass,
+   * nor where no light has a technique or a falloff: such a frame is VTK's own.
    * GetNumberOfCulledReceivers: of how many actors they were left out in the last frame.
    * GetCullingIsSettled: whether no proof was being made then that lets later frames leave out
    * more.

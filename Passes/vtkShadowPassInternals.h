@@ -97,6 +97,7 @@ public:
   bool TimeStages = false;
   vtkShadowTechniqueChooser Chooser; // for the lights of "auto"
   bool WasSettled = true;            // its choice, in the last frame
+  int CulledReceivers = 0;           // actors with faces left out of the last frame
 
   vtkShadowTechniquePass* Find(const std::string& name) const
   {

@@ -10,6 +10,7 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFollower.h"
@@ -239,7 +240,8 @@ vtkMTimeType ShapeMTime(vtkMapper* mapper)
     !mapper->IsA("vtkPointGaussianMapper");
   if (!isPlain)
   {
-    return mapper->GetMTime();
+    vtkCompositeDataDisplayAttributes* blocks = vtkShadowCasterGeometry::AttributesOf(mapper);
+    return std::max(mapper->GetMTime(), blocks ? blocks->GetMTime() : 0);
   }
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   vtkMTimeType time = planes ? planes->GetMTime() : 0;

@@ -97,7 +97,7 @@ public:
   void Detach();
 
   // Whether faces that the eye cannot see are left out while attached (see vtkShadowPass), of how
-  // many actors they were, and whether it may soon be more.
+  // many actors they were at last, and whether it may soon be more.
   void SetCullHiddenFaces(bool culled)
   {
     this->CullHiddenFaces = culled;

@@ -80,6 +80,13 @@ void vtkPVShadowView::SetTexturePerCaster(bool each)
 }
 
 //----------------------------------------------------------------------------
+void vtkPVShadowView::SetCullHiddenFaces(bool culled)
+{
+  this->Shadows->SetCullHiddenFaces(culled);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
 void vtkPVShadowView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

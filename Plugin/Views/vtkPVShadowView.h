@@ -73,6 +73,12 @@ public:
    */
   void SetTexturePerCaster(bool each);
 
+  /**
+   * Leave out the faces of closed, opaque sources that are turned away from the eye (default off):
+   * see vtkShadowPass::SetCullHiddenFaces.
+   */
+  void SetCullHiddenFaces(bool culled);
+
 protected:
   vtkPVShadowView();
   ~vtkPVShadowView() override;

@@ -136,8 +136,6 @@ def enable(
         agree.
     cascades : depth-map and object-id: maps of a directional light at most, 1 to 8 (1): each as fine as what
         it serves is near. For a scene that reaches far beyond what is near to the eye.
-    light_samples : planar, stencil-volume and ray-cast: sample lights for a light with a radius, 1 to
-        4096 (32 for stencil-volume, 64 for the others; of planar the most that it takes).
     filter : depth-map: how a receiver is held against the map: "percentage-closer" (default), "none",
         "hardware", "disc", "soft" (soft shadows of lights with a radius), "sample-lights" (the same, nearer
         to the truth and slower), "variance", "exponential" or "exact" (edges of the

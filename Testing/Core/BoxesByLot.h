@@ -2,7 +2,7 @@
 #ifndef vtkshadows_BoxesByLot_h
 #define vtkshadows_BoxesByLot_h
 
-#include "../Lot.h"
+#include "Lot.h"
 #include "SeenBoxes.h"
 
 #include <glm/geometric.hpp>

@@ -167,6 +167,25 @@ TEST_F(EyeFaces, GlyphsAreCulledToo)
   this->CheckSame("glyphs");
 }
 
+// A frame without shadows is VTK's own, and says so.
+TEST_F(EyeFaces, FramesWithoutShadowsKeepAllFaces)
+{
+  this->CheckCulled("the ball", 1);
+  this->Shadows->SetTechnique("none");
+  const Frame plain = this->Render();
+  Check("culled without shadows", this->Shadows->GetNumberOfCulledReceivers(), 0);
+  this->VisibilityOf(this->Light); // which no frame shows
+  Check("culled once visibility was read", this->Shadows->GetNumberOfCulledReceivers(), 0);
+  Check("pixels unlike VTK's frame", CountDifferent(plain, this->RenderWithoutPass()), 0);
+  this->Shadows->SetTechnique("depth-map");
+  this->Window->Render();
+  Check("culled in the next frame with shadows", this->Shadows->GetNumberOfCulledReceivers(), 1);
+  this->Shadows->CullHiddenFacesOff();
+  this->Window->Render();
+  this->Shadows->CullHiddenFacesOn();
+  Check("culled before there is a frame", this->Shadows->GetNumberOfCulledReceivers(), 0);
+}
+
 //------------------------------------------------------------------------------
 TEST_F(EyeFaces, WhatIsNotClosedKeepsItsFaces)
 {

@@ -7,7 +7,9 @@
 #include "vtkShadowErrorMeasure.h"
 
 #include <vtkAppendPolyData.h>
+#include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkCubeSource.h>
+#include <vtkDataArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkIntArray.h>
 #include <vtkLightCollection.h>
@@ -323,21 +325,29 @@ TEST_F(ObjectIDs, BlocksOfAComposite)
   }
 }
 
-// Two sources, a mask, and instances of different sizes.
-TEST_F(ObjectIDs, InstancesOfGlyphs)
+namespace
 {
-  this->AddFloorAndSun();
-  vtkNew<vtkPolyData> places;
+
+// Where glyphs of two kinds hang over each other, at most 18, of these the given ones.
+vtkSmartPointer<vtkPolyData> GlyphPlaces(int begin, int end)
+{
   vtkNew<vtkPoints> points;
   vtkNew<vtkIntArray> kinds;
   kinds->SetName("kind");
-  for (int i = 0; i < 18; ++i)
+  for (int i = begin; i < end; ++i)
   {
     points->InsertNextPoint(0.8 * (i % 3 - 1) + 0.3 * (i / 9), 0.8 * (i / 3 % 3 - 1), 0.5 + i / 9);
     kinds->InsertNextValue(i % 2);
   }
+  auto places = vtkSmartPointer<vtkPolyData>::New();
   places->SetPoints(points);
   places->GetPointData()->AddArray(kinds);
+  return places;
+}
+
+// Draws two sources at such places.
+vtkSmartPointer<vtkGlyph3DMapper> GlyphMapperOfTwo(vtkDataObject* places)
+{
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(0.3);
   ball->SetThetaResolution(40);
@@ -346,23 +356,85 @@ TEST_F(ObjectIDs, InstancesOfGlyphs)
   box->SetXLength(0.5);
   box->SetYLength(0.4);
   box->SetZLength(0.2);
-  vtkNew<vtkGlyph3DMapper> mapper;
-  mapper->SetInputData(places);
+  auto mapper = vtkSmartPointer<vtkGlyph3DMapper>::New();
+  mapper->SetInputDataObject(places);
   mapper->SetSourceConnection(0, ball->GetOutputPort());
   mapper->SetSourceConnection(1, box->GetOutputPort());
   mapper->SetSourceIndexArray("kind");
   mapper->SourceIndexingOn();
   mapper->ScalingOff();
   mapper->OrientOff();
-  vtkNew<vtkActor> actor;
+  return mapper;
+}
+
+vtkSmartPointer<vtkActor> AddActorOf(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  this->Renderer->AddActor(actor);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+}
+
+// Two sources.
+TEST_F(ObjectIDs, InstancesOfGlyphs)
+{
+  this->AddFloorAndSun();
+  auto places = GlyphPlaces(0, 18);
+  auto mapper = GlyphMapperOfTwo(places);
+  AddActorOf(this->Renderer, mapper);
   this->CheckToldApart("block", "instance", 2 + 18);
   // As ParaView gives them to the mapper: the one block of a composite.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(1, places);
   mapper->SetInputDataObject(blocks);
   this->CheckToldApart("block", "instance", 2 + 18);
+}
+
+// Blocks of unlike size in a tree: with one kind alone, empty, hidden, and twice the same.
+TEST_F(ObjectIDs, InstancesAtSeveralBlocks)
+{
+  this->AddFloorAndSun();
+  vtkNew<vtkMultiBlockDataSet> blocks, inner;
+  auto hidden = GlyphPlaces(0, 9);
+  hidden->GetPoints()->GetData()->FillComponent(2, 3.0);
+  auto first = GlyphPlaces(0, 5);
+  blocks->SetBlock(0, first);
+  inner->SetBlock(0, GlyphPlaces(5, 6));
+  inner->SetBlock(1, hidden);
+  inner->SetBlock(3, GlyphPlaces(0, 0));
+  inner->SetBlock(4, GlyphPlaces(6, 13));
+  blocks->SetBlock(1, inner);
+  blocks->SetBlock(2, first);
+  blocks->SetBlock(3, GlyphPlaces(13, 18));
+  auto mapper = GlyphMapperOfTwo(blocks);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  attributes->SetBlockVisibility(hidden, false);
+  mapper->SetBlockAttributes(attributes);
+  AddActorOf(this->Renderer, mapper);
+  this->CheckToldApart("prop", "instance", 2 + 18);
+  // What it draws by is made anew.
+  mapper->Modified();
+  this->CheckToldApart("prop", "instance", 2 + 18);
+  attributes->SetBlockVisibility(hidden, true);
+  this->CheckToldApart("prop", "instance", 2 + 18 + 9);
+  // Two sources that are one.
+  attributes->SetBlockVisibility(hidden, false);
+  mapper->SetSourceConnection(1, mapper->GetInputConnection(1, 0));
+  this->CheckToldApart("prop", "instance", 2 + 18);
+}
+
+TEST_F(ObjectIDs, BlocksOfGlyphs)
+{
+  this->AddFloorAndSun();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int i = 0; i < 18; ++i)
+  {
+    blocks->SetBlock(static_cast<unsigned int>(i), GlyphPlaces(i, i + 1));
+  }
+  AddActorOf(this->Renderer, GlyphMapperOfTwo(blocks));
+  this->CheckToldApart("prop", "block", 2 + 18);
 }
 
 // The box's sides do not share points, but their corners are at the same places.

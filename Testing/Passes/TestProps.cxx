@@ -706,6 +706,22 @@ TEST_F(Props, GlyphsInBlocks)
   this->CheckGlyphs(mapper, Glyphs(places, Thing(), 1.0, true));
 }
 
+TEST_F(Props, GlyphsWithAnInvisibleBlock)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const Mesh places = Places(30);
+  const Mesh some = PlacesWhere(places, "shown", 1), others = PlacesWhere(places, "shown", 0);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, some);
+  blocks->SetBlock(1, others);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  attributes->SetBlockVisibility(others, false);
+  auto mapper = GlyphMapper(places, Thing());
+  mapper->SetInputDataObject(blocks);
+  mapper->SetBlockAttributes(attributes);
+  this->CheckGlyphs(mapper, Glyphs(some, Thing(), 1.0, true));
+}
+
 //------------------------------------------------------------------------------
 // Sphere impostors: their triangles are within 0.02 % of the round shape.
 namespace

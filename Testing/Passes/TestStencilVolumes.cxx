@@ -1,6 +1,6 @@
 // Shadow volumes against the truth: scenes and views by lot, every kind of mesh, eyes and lights in
 // awkward places, many lights, lights with a radius.
-#include "../Lot.h"
+#include "Lot.h"
 #include "TestScenes.h"
 #include "VolumeTest.h"
 

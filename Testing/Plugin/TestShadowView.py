@@ -1,5 +1,6 @@
 """The plugin in pvbatch: load it, make the view, and look for shadows in its screenshots."""
 import pathlib
+import re
 import sys
 import unittest
 
@@ -30,6 +31,7 @@ class TestShadowView(unittest.TestCase):
         VIEW.ObjectType = "prop"
         VIEW.TexturePerCaster = 0
         VIEW.TranslucentCasters = "None"
+        VIEW.CullHiddenFaces = 0
         VIEW.UseLight = 0
         VIEW.UseFXAA = 0
         self.light = add_light(VIEW)
@@ -166,35 +168,70 @@ class TestShadowView(unittest.TestCase):
             for source in SOURCES:
                 simple.Show(source, VIEW)
 
-    def test_object_type_instance(self):
-        """By IDs alone a glyph shadows another of its source where each has an ID, and else does not."""
-        ends = simple.Line(Point1=(0, 0, 1), Point2=(0.8, 0.8, 1.8), Resolution=1)  # one toward the light
+    def assert_glyphs_apart(self, source, places, kinds, coarser=("prop",)):
+        """By IDs alone the glyphs at `places` are lit while merged by a coarser kind, and else in shadow."""
+
+        def around(name):
+            frame = screenshot(VIEW, f"glyphs-{name}")
+            return [near(frame, *place) for place in places]
+
         simple.Hide(SOURCES[0], VIEW)
         try:
-            display = simple.Show(ends, VIEW)
-            display.SetRepresentationType("3D Glyphs")
-            display.GlyphType = "Sphere"
-            display.GlyphType.Radius = 0.3
-            display.GlyphType.ThetaResolution = display.GlyphType.PhiResolution = 48
-            display.Orient = display.Scaling = 0
-            display.ScaleFactor = 1
+            display = simple.Show(source, VIEW)
+            if source.GetXMLLabel() != "Glyph":
+                display.SetRepresentationType("3D Glyphs")
+                display.GlyphType = "Sphere"
+                display.GlyphType.Radius = 0.3
+                display.GlyphType.ThetaResolution = display.GlyphType.PhiResolution = 48
+                display.Orient = display.Scaling = 0
+                display.ScaleFactor = 1
             display.ColorArrayName = [None, ""]
             display.DiffuseColor = (0.7, 0.7, 0.7)
             display.Specular = 0
-            before = near(screenshot(VIEW, "glyphs-none"), 0.1, 0.1)
+            VIEW.Technique = "none"
+            before = around("none")
             VIEW.Technique = "object-id"
             VIEW.ObjectDepths = 0
-            together = near(screenshot(VIEW, "glyphs-prop"), 0.1, 0.1)
-            change = abs(together - before).max()
-            print(f"on the lower glyph, as one source: got a change of {change}, expected 0, tolerance 1")
-            self.assertLessEqual(change, 1)
-            VIEW.ObjectType = "instance"
-            apart = near(screenshot(VIEW, "glyphs-instance"), 0.1, 0.1)
-            print(f"on the lower glyph, by itself: got {apart.max()}, expected under half of {before.min()}")
-            self.assertLess(apart.max(), before.min() / 2)
+            for kind in (*coarser, *kinds):
+                VIEW.ObjectType = kind
+                for lit, now in zip(before, around(kind)):
+                    if kind in coarser:
+                        change = abs(now - lit).max()
+                        print(f"on a lower glyph, by {kind}: got a change of {change}, expected 0, tolerance 1")
+                        self.assertLessEqual(change, 1)
+                    else:
+                        print(f"on a lower glyph, by {kind}: got {now.max()}, expected under half of {lit.min()}")
+                        self.assertLess(now.max(), lit.min() / 2)
         finally:
-            simple.Delete(ends)
+            simple.Delete(source)
             simple.Show(SOURCES[0], VIEW)
+
+    def test_object_type_instance(self):
+        ends = simple.Line(Point1=(0, 0, 1), Point2=(0.8, 0.8, 1.8), Resolution=1)  # one toward the light
+        self.assert_glyphs_apart(ends, [(0.1, 0.1)], ["instance"])
+
+    def test_object_type_instance_of_blocks(self):
+        """Two blocks of two glyphs each, and each glyph of the one under one of the other."""
+        low = simple.Line(Point1=(0, 0, 1), Point2=(1.2, -1.2, 1), Resolution=1)
+        high = simple.Line(Point1=(0.8, 0.8, 1.8), Point2=(2.0, -0.4, 1.8), Resolution=1)
+        both = simple.GroupDatasets(Input=[low, high])
+        self.assert_glyphs_apart(both, [(0.1, 0.1), (1.3, -1.1)], ["block", "instance", "piece"])
+        # Two blocks, and each glyph under one of its own.
+        left = simple.Line(Point1=(0, 0, 1), Point2=(0.8, 0.8, 1.8), Resolution=1)
+        right = simple.Line(Point1=(1.2, -1.2, 1), Point2=(2.0, -0.4, 1.8), Resolution=1)
+        both = simple.GroupDatasets(Input=[left, right])
+        self.assert_glyphs_apart(both, [(0.1, 0.1), (1.3, -1.1)], ["instance", "piece"], ["prop", "block"])
+
+    def test_object_type_of_the_filter_glyph(self):
+        """Its glyphs are pieces of meshes: no mapper has them as instances."""
+        left = simple.Line(Point1=(0, 0, 1), Point2=(0.8, 0.8, 1.8), Resolution=1)
+        right = simple.Line(Point1=(1.2, -1.2, 1), Point2=(2.0, -0.4, 1.8), Resolution=1)
+        both = simple.GroupDatasets(Input=[left, right])
+        glyphs = simple.Glyph(Input=both, GlyphType="Sphere", GlyphMode="All Points")
+        glyphs.ScaleFactor = 1
+        glyphs.GlyphType.Radius = 0.3
+        glyphs.GlyphType.ThetaResolution = glyphs.GlyphType.PhiResolution = 48
+        self.assert_glyphs_apart(glyphs, [(0.1, 0.1), (1.3, -1.1)], ["piece"], ["prop", "block", "instance"])
 
     def test_translucent_casters(self):
         """A sphere of the opacity 0.5 is two surfaces: a quarter of the light is left behind it."""
@@ -211,6 +248,24 @@ class TestShadowView(unittest.TestCase):
                     self.assertLessEqual(abs(got - share * before).max(), 2)
         finally:
             display.Opacity = 1
+
+    def test_cull_hidden_faces(self):
+        """The closed sphere loses its far half, which nobody sees, and the open plane nothing."""
+        VIEW.Technique = "depth-map"
+        whole = screenshot(VIEW, "faces-all")
+
+        def culled():
+            return int(re.search(r"NumberOfCulledReceivers: (\d+)", str(VIEW.GetClientSideObject())).group(1))
+
+        self.assertEqual(culled(), 0)
+        for VIEW.CullHiddenFaces, expected in ((1, 1), (0, 0)):
+            for _ in range(3):  # it is proven in the second
+                frame = screenshot(VIEW, f"faces-{VIEW.CullHiddenFaces}")
+            print(f"sources with faces left out: got {culled()}, expected {expected}, tolerance 0")
+            self.assertEqual(culled(), expected)
+            different = int((frame != whole).any(axis=2).sum())
+            print(f"pixels that differ: got {different}, expected 0, tolerance 3")
+            self.assertLessEqual(different, 3)
 
     def test_texture_per_caster(self):
         """A sphere takes the shadow of another, between it and the light."""

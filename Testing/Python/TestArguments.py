@@ -1,5 +1,7 @@
 """Wrong arguments: one error that names the value and the remedy, and nothing is changed."""
+import inspect
 import math
+import re
 import types
 import unittest
 
@@ -69,6 +71,25 @@ class TestArguments(unittest.TestCase):
             with self.subTest(**arguments):
                 self.assert_refused(pattern, vtkshadows.enable, SCENE.renderer, **arguments)
                 self.assertIsNone(SCENE.renderer.GetPass())
+
+    def test_every_setting_is_documented_once(self):
+        """Each once, and with all of its names where it takes one of several."""
+        settings = vtkshadows._settings.SETTINGS
+        text = inspect.getdoc(vtkshadows.enable)
+        parameters = text[text.index("Parameters\n---") : text.index("Returns\n---")]
+        parts = re.split(r"^(\w+) : ", parameters, flags=re.MULTILINE)[1:]
+        self.assertEqual(sorted(parts[::2]), sorted(["technique", "delegate", *settings]))
+        told = dict(zip(parts[::2], parts[1::2]))
+        with_names = 0
+        for name, setting in settings.items():
+            with self.assertRaises(ValueError) as refused:
+                setting.check(name, "no such")
+            known = re.search("is not known; there are (.*)$", str(refused.exception))
+            for each in known.group(1).split(", ") if known else ():
+                self.assertIn(f'"{each}"', told[name], name)
+            with_names += bool(known)
+        print(f"settings that take a name: got {with_names}, expected 8 or more")
+        self.assertGreaterEqual(with_names, 8)
 
     def test_settings_arrive(self):
         shadows = vtkshadows.enable(SCENE.renderer, resolution=512, strength=0.25, radius=2)

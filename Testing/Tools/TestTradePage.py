@@ -57,7 +57,9 @@ fits = [{"axis": "triangles", "setting": "stencil-volume", "exponent": 0.9, "exp
 rows += [row("crowd", "stencil-volume", 2, 0, 0, axis="triangles", value=value, errors=[], cost_ms_moving=0.01 * value**0.9)
          for value in (1e4, 1e5)]  # fmt: skip
 rows[3]["errors"][0]["receiver_pixels"] = 20000  # nor is a single one gross error where pixels are few
-report = {"machine": {"vtkshadows": "0", "vtk": "9", "renderer": "r", "cores": 2}, "plan": "window 4x3, statue /some/where/scan.off",
+limits = {"gross_percent": 0.001, "gross_pixels": 1, "mismatch_percent": 2.0, "soft_difference_percent": 1.0,
+          "penumbra_difference_percent": 4.0}  # fmt: skip
+report = {"limits": limits, "machine": {"vtkshadows": "0", "vtk": "9", "renderer": "r", "cores": 2}, "plan": "window 4x3, statue /some/where/scan.off",
           "scenes": [{"name": "a"}, {"name": "b"}], "rows": rows, "fits": fits}  # fmt: skip
 with open("bench.json", "w") as file:
     json.dump(report, file)
@@ -112,11 +114,25 @@ told = tables(Report("bench.json"))["machine"]
 check("files by name alone, failures told", ("statue scan.off" in told, "/some" in told, "a|planar" in told), (True, False, True))
 check("exponents", made["exponents"], ["| stencil-volume | 0.90 ± 0.05 |  |", "| planar |  | in the noise |"])
 
-for name, content in (("empty.json", "{}"), ("no.json", "no JSON")):
+# By other limits other settings are right: the two gross pixels, and the steps in the penumbra.
+loose = dict(report, limits=dict(limits, gross_pixels=2, soft_difference_percent=1.02,
+                                  penumbra_difference_percent=5.0))  # fmt: skip
+with open("loose.json", "w") as file:
+    json.dump(loose, file)
+made = {name: table.splitlines() for name, table in tables(Report("loose.json")).items()}
+check("cheapest by looser limits", made["cheapest-static"][2],
+      "| a | depth-map/percentage-closer/2048, 1.50 | depth-map/percentage-closer/2048, 1.50 | stencil-volume, 4.00 |")  # fmt: skip
+check("soft by looser limits", (made["soft"][0].split(" | ")[-1], made["soft"][2].split(" | ")[-1]),
+      ("and 0.05 within the penumbra |", "ray-cast/4-samples, 2.00 |"))  # fmt: skip
+
+for name, content, told in (("empty.json", "{}", "machine"), ("no.json", "no JSON", "is no JSON"),
+                            ("old.json", json.dumps(dict(report, limits={})), "--resume"),
+                            ("older.json", json.dumps({key: report[key] for key in report if key != "limits"}), "--resume")):  # fmt: skip
     with open(name, "w") as file:
         file.write(content)
     status, out, err = run(name, "-o", "none")
     print("     " + err.strip())
-    check(f"{name}: one message that names it", (status, err.count("\n"), name in err, os.path.exists("none")), (1, 1, True, False))
+    check(f"{name}: one message that names it", (status, err.count("\n"), name in err, told in err, os.path.exists("none")),
+          (1, 1, True, True, False))  # fmt: skip
 print(f"{failed} failed")
 sys.exit(1 if failed else 0)

@@ -208,8 +208,6 @@ function drawSweeps() {
 
 // --- The extremes ---------------------------------------------------------------------------------
 
-const MostGross = 1e-3; // percent of the receivers' pixels
-
 // How much a technique keeps of its picture where the scene should look the same; else how much of
 // what it shows is grossly wrong.
 function gradeOf(figures) {
@@ -218,7 +216,7 @@ function gradeOf(figures) {
     return figures.alike_percent >= 99.99 ? "keeps" : figures.alike_percent >= 99 ? "drifts" : "fails";
   }
   const gross = figures.receivers ? 100 * figures.gross / figures.receivers : 0;
-  return gross <= MostGross ? "keeps" : gross <= 1 ? "drifts" : "fails";
+  return gross <= data.limits.gross_percent ? "keeps" : gross <= 1 ? "drifts" : "fails";
 }
 
 const gradeColors = { keeps: "", drifts: "#fbe3a6", fails: "#f3b3a0" };

@@ -1,6 +1,7 @@
 #include "BenchReport.h"
 
 #include "BenchExtremes.h"
+#include "TechniqueChoice.h"
 
 #include <cmath>
 #include <map>
@@ -160,6 +161,10 @@ Json ReportOf(const BenchJournal& journal, const std::string& planKey)
   Json report;
   report["machine"] = journal.Machine();
   report["plan"] = planKey;
+  report["limits"] = { { "gross_percent", MostGrossPercent }, { "gross_pixels", MostGrossPixels },
+    { "mismatch_percent", MostMismatchPercent },
+    { "soft_difference_percent", MostSoftDifferencePercent },
+    { "penumbra_difference_percent", MostPenumbraDifferencePercent } };
   report["scenes"] = journal.Scenes();
   report["rows"] = journal.Rows();
   report["fits"] = FitsOf(journal.Rows());

@@ -23,8 +23,9 @@ struct PowerLaw
 // points is 0.
 PowerLaw FitPowerLaw(const std::vector<double>& values, const std::vector<double>& costs);
 
-// {machine, plan, scenes, rows, fits, extremes}. A fit is of one axis and setting, of the moving
-// frame's cost; an extreme of a case and a technique.
+// {machine, plan, limits, scenes, rows, fits, extremes}. Limits are those of an error that passes
+// for none (Core/TechniqueChoice.h). A fit is of one axis and setting, of the moving frame's cost;
+// an extreme of a case and a technique.
 BenchJournal::Json ReportOf(const BenchJournal& journal, const std::string& planKey);
 
 // A line for each row and light, a head line first; what there is not is empty.
