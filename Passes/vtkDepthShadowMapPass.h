@@ -253,8 +253,6 @@ private:
   bool IsBlurred() const { return this->Filter == VARIANCE || this->Filter == EXPONENTIAL; }
   template <typename T>
   void Change(T& setting, T value);
-  template <typename T>
-  bool Refuses(const char* name, T value, T low, T high, T setting);
   bool UpdateSampled(const vtkShadowFrame& frame, const std::vector<int>& lights);
   void DrawDepths(const vtkShadowFrame& frame, const vtkshadows::ShadowLight& light,
     const vtkShadowMapView& view, const vtkShadowTextureArray& maps, int layer, int width,
@@ -262,7 +260,6 @@ private:
   std::string GetSharedDeclarations(bool distances) const;
   std::string GetOpaqueDeclarations() const;
   bool ReserveOpaque(const vtkShadowFrame& frame, int width, int height, int layers);
-  bool RefusesChoice(const char* name, const char* type, int value, int choices, int setting);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

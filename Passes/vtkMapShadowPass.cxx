@@ -60,14 +60,8 @@ vtkMapShadowPass::~vtkMapShadowPass() = default;
 //------------------------------------------------------------------------------
 void vtkMapShadowPass::SetResolution(int resolution)
 {
-  if (resolution < 1)
-  {
-    vtkErrorMacro("Resolution " << resolution
-                                << " is no size of a map: give 1 or more texels. It stays "
-                                << this->Resolution << ".");
-    return;
-  }
-  if (resolution != this->Resolution)
+  if (!vtkShadowRefusesSize(this, "Resolution", "a map", resolution, this->Resolution) &&
+    resolution != this->Resolution)
   {
     this->Resolution = resolution;
     this->Modified();

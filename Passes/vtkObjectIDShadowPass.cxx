@@ -29,8 +29,6 @@ namespace
 // By ObjectType.
 const char* const ObjectTypeNames[] = { "prop", "block", "instance", "piece" };
 
-const int KnownDepthBits[] = { 8, 16, 24, 32 };
-
 // Of 16 bits.
 constexpr int MostIDsEver = 65535;
 constexpr int MostIDsOf24Bits = 255; // beside a depth of them
@@ -147,14 +145,7 @@ void vtkObjectIDShadowPass::SetCombineDepth(bool combine)
 //------------------------------------------------------------------------------
 void vtkObjectIDShadowPass::SetDepthBits(int bits)
 {
-  if (std::find(std::begin(KnownDepthBits), std::end(KnownDepthBits), bits) ==
-    std::end(KnownDepthBits))
-  {
-    vtkErrorMacro("DepthBits " << bits << " is no depth that a texel holds: give 8, 16, 24 or 32 "
-                               << "(a float). It stays " << this->DepthBits << ".");
-    return;
-  }
-  if (bits != this->DepthBits)
+  if (!vtkShadowRefusesDepthBits(this, bits, this->DepthBits) && bits != this->DepthBits)
   {
     this->DepthBits = bits;
     this->ForgetMaps();

@@ -64,15 +64,9 @@ void vtkPlanarShadowPass::SetSoftMethod(int method)
 //------------------------------------------------------------------------------
 void vtkPlanarShadowPass::SetTextureResolution(int resolution)
 {
-  if (resolution < 1)
-  {
-    vtkErrorMacro("TextureResolution " << resolution
-                                       << " is no size of a texture: give 1 or more texels. It "
-                                          "stays "
-                                       << this->TextureResolution << ".");
-    return;
-  }
-  if (resolution != this->TextureResolution)
+  if (!vtkShadowRefusesSize(
+        this, "TextureResolution", "a texture", resolution, this->TextureResolution) &&
+    resolution != this->TextureResolution)
   {
     this->TextureResolution = resolution;
     this->Modified();

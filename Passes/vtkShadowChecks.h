@@ -37,6 +37,31 @@ inline bool vtkShadowRefusesChoice(
   return true;
 }
 
+// Of a map or a texture, `what`, along a side. One above the driver's limit is told of when it is
+// drawn (vtkShadowTechniquePass::WithinDriver).
+inline bool vtkShadowRefusesSize(
+  vtkObject* pass, const char* setting, const char* what, int texels, int before)
+{
+  if (texels >= 1)
+  {
+    return false;
+  }
+  vtkErrorWithObjectMacro(pass, << setting << " " << texels << " is no size of " << what
+                                << ": give 1 or more texels. It stays " << before << ".");
+  return true;
+}
+
+inline bool vtkShadowRefusesDepthBits(vtkObject* pass, int bits, int before)
+{
+  if (bits == 8 || bits == 16 || bits == 24 || bits == 32)
+  {
+    return false;
+  }
+  vtkErrorWithObjectMacro(pass, << "DepthBits " << bits << " is no format of a map's depths: give "
+                                << "8, 16, 24 or 32 (a float). It stays " << before << ".");
+  return true;
+}
+
 // Which of `names` it is, in their order; none if it is refused.
 template <typename Names>
 std::optional<int> vtkShadowChoiceOf(

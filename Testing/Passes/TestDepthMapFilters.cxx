@@ -422,7 +422,7 @@ TEST_F(DepthMapFilters, WrongSettings)
     ExpectOneMessage({ "vtkDepthShadowMapPass", "LightSamples", "1 to 256" });
   }
   maps->SetSampleResolution(0);
-  ExpectOneMessage({ "vtkDepthShadowMapPass", "SampleResolution 0", "1 to" });
+  ExpectOneMessage({ "vtkDepthShadowMapPass", "SampleResolution 0", "1 or more texels" });
   for (const double value : { nan, -0.1, 1.0 })
   {
     maps->SetLightBleedingReduction(value);
