@@ -7,6 +7,9 @@ from error_limits import ErrorLimits
 PEER = "vtk-shadow-map"
 KINDS = ("static", "moving")
 
+# Techniques that are looked up at every fragment: those by masks shade what is nearest in a pixel, and not translucent things.
+AT_FRAGMENTS = ("depth-map", "object-id", "shadow-texture")
+
 
 class Report:
     """Rows of bench.json; those of runs that failed are left out, and counted."""
@@ -30,11 +33,17 @@ class Report:
         rows = [row for row in data["rows"] if not row["failure"]]
         self.sweeps = [row for row in rows if row["axis"]]
         self.rows = [row for row in rows if not row["axis"] and row["errors"]]
+        self.translucent = {scene["name"] for scene in data["scenes"] if scene.get("translucents")}
         names = [scene["name"] for scene in data["scenes"]]
         self.scenes = [name for name in names if any(row["scene"] == name for row in self.rows)]
 
     def of(self, scene, soft=False):
         return [row for row in self.rows if row["scene"] == scene and row["soft"] == soft]
+
+    def choices(self, scene, soft=False):
+        """Fixed settings of ours that shade all that the scene has: neither what is chosen, nor none, nor VTK's own pass."""
+        rows = [row for row in self.of(scene, soft) if row["technique"] not in ("auto", "none", PEER)]
+        return [row for row in rows if scene not in self.translucent or shades_translucents(row)]
 
     def is_gross(self, row):
         return any(self.limits.is_gross(error) for error in row["errors"])
@@ -48,9 +57,8 @@ def worst(row, measure):
     return max(error[measure] for error in row["errors"])
 
 
-def is_choice(row):
-    """Whether it is a fixed setting of ours: neither what is chosen, nor none, nor VTK's own pass."""
-    return row["technique"] not in ("auto", "none", PEER)
+def shades_translucents(row):
+    return row["technique"] in AT_FRAGMENTS or row["setting"].split("/")[-1].startswith("textures-")
 
 
 def cheapest(rows, kind):

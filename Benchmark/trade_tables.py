@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-from bench_report import KINDS, PEER, cheapest, is_choice, worst
+from bench_report import KINDS, PEER, cheapest, worst
 
 BUDGETS = (("no gross error", None), ("and 0.1 % mismatch", 0.1), ("and 0.01 %", 0.01))
 SOFT_BUDGETS = (0.03, 0.01)
@@ -28,7 +28,7 @@ def chosen(row, key):
 
 def over_best(report, row, kind):
     """auto's frame over the fastest fixed setting's without gross error: (ratio, its name), or None."""
-    best = cheapest([other for other in report.of(row["scene"], row["soft"]) if is_choice(other) and report.is_right(other)], kind)
+    best = cheapest([other for other in report.choices(row["scene"], row["soft"]) if report.is_right(other)], kind)
     return best and (row["ratio_" + kind] / best["ratio_" + kind], best["setting"])
 
 
@@ -58,7 +58,7 @@ def cheapest_table(report, kind):
     for scene in report.scenes:
         line = [scene]
         for _, most in BUDGETS:
-            best = cheapest([row for row in report.of(scene) if is_choice(row) and report.is_right(row, most)], kind)
+            best = cheapest([row for row in report.choices(scene) if report.is_right(row, most)], kind)
             line.append(f"{best['setting']}, {best['ratio_' + kind]:.2f}" if best else "none")
         lines.append(line)
     return table(["scene"] + [name for name, _ in BUDGETS], lines)
@@ -67,7 +67,7 @@ def cheapest_table(report, kind):
 def soft_table(report, kind):
     lines = []
     for scene in report.scenes:
-        rows = [row for row in report.of(scene, True) if is_choice(row)]
+        rows = report.choices(scene, True)
         if not rows:
             continue
         line = [scene]

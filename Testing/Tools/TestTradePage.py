@@ -114,6 +114,19 @@ told = tables(Report("bench.json"))["machine"]
 check("files by name alone, failures told", ("statue scan.off" in told, "/some" in told, "a|planar" in told), (True, False, True))
 check("exponents", made["exponents"], ["| stencil-volume | 0.90 ± 0.05 |  |", "| planar |  | in the noise |"])
 
+# Masks shade what is nearest in a pixel: where things are translucent, techniques by masks do not count.
+glass = [row("g", "ray-cast", 1.2, 0.0, 0), row("g", "planar", 1.1, 0.0, 0), row("g", "planar/textures-2048", 2.5, 0.0, 0, moving=3.0),
+         row("g", "object-id/2048", 2.0, 0.0, 0, moving=5.0), row("g", "soft/ray-cast/16-samples", 2.0, 0.1, 0),
+         row("g", "soft/depth-map/soft/2048", 9.0, 0.1, 0), row("g", "auto", 2.0, 0.0, 0)]  # fmt: skip
+with open("glass.json", "w") as file:
+    json.dump(dict(report, scenes=[{"name": "g", "translucents": True}], rows=glass), file)
+made = {name: table.splitlines()[-1] for name, table in tables(Report("glass.json")).items()}
+check("cheapest that shades translucent things", (made["cheapest-static"], made["cheapest-moving"]),
+      ("| g | object-id/2048, 2.00 | object-id/2048, 2.00 | object-id/2048, 2.00 |",
+       "| g | planar/textures-2048, 3.00 | planar/textures-2048, 3.00 | planar/textures-2048, 3.00 |"))  # fmt: skip
+check("soft, too", made["soft"], "| g | depth-map/soft/2048, 9.00 | depth-map/soft/2048, 9.00 | depth-map/soft/2048, 9.00 |")
+check("and auto is held against those", made["auto"].split(" | ")[4], "2.00, 1.00 times object-id/2048")
+
 # By other limits other settings are right: the two gross pixels, and the steps in the penumbra.
 loose = dict(report, limits=dict(limits, gross_pixels=2, soft_difference_percent=1.02,
                                   penumbra_difference_percent=5.0))  # fmt: skip
