@@ -77,35 +77,39 @@ bool AdaptiveTruth::Begin(const Settings& settings, std::vector<PixelRole> roles
     return false;
   }
 
-  const auto measured = std::count(this->Roles.begin(), this->Roles.end(), PixelRole::Measured);
-  const double share = settings.samplePixels / std::max(1.0, static_cast<double>(measured));
+  this->IsPartial = MarkPartial(settings.width, settings.height, this->Truth, this->Roles);
+  double counts[2] = { 0.0, 0.0 };
   for (std::size_t i = 0; i < pixels; ++i)
   {
-    this->IsSample[i] = this->Roles[i] == PixelRole::Measured && LotOf(i) < share;
+    counts[this->IsPartial[i]] += this->Roles[i] == PixelRole::Measured;
   }
-  std::vector<float> farther(pixels, 1.0f);
-  if (!this->Tracer(settings.coarse, FartherOff, this->IsSample, farther))
+  const double shares[2] = { settings.otherPixels / std::max(counts[0], 1.0),
+    settings.partialPixels / std::max(counts[1], 1.0) };
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    this->IsSample[i] =
+      this->Roles[i] == PixelRole::Measured && LotOf(i) < shares[this->IsPartial[i]];
+  }
+  return this->TraceFinely(this->IsSample);
+}
+
+// Those that hang on the ray epsilon by the coarse rays are uncertain from then on.
+bool AdaptiveTruth::TraceFinely(const std::vector<unsigned char>& which)
+{
+  std::vector<float> farther(which.size(), 1.0f);
+  if (!this->Tracer(this->With.coarse, FartherOff, which, farther))
   {
     return false;
   }
-  which = MarkPartial(settings.width, settings.height, this->Truth, this->Roles);
-  for (std::size_t i = 0; i < pixels; ++i)
-  {
-    if (this->IsSample[i] && std::abs(this->Truth[i] - farther[i]) > 0.5f)
-    {
-      this->Roles[i] = PixelRole::Uncertain;
-    }
-    which[i] = which[i] && this->IsSample[i];
-  }
-  return this->TraceFinely(which);
-}
-
-bool AdaptiveTruth::TraceFinely(const std::vector<unsigned char>& which)
-{
   for (std::size_t i = 0; i < which.size(); ++i)
   {
-    this->FinePixels += which[i] && !this->IsFine[i];
-    this->IsFine[i] = this->IsFine[i] || which[i];
+    if (which[i])
+    {
+      this->FinePixels += !this->IsFine[i];
+      this->IsFine[i] = 1;
+      this->Roles[i] =
+        std::abs(this->Truth[i] - farther[i]) > 0.5f ? PixelRole::Uncertain : PixelRole::Measured;
+    }
   }
   return this->Tracer(this->With.fine, 1.0, which, this->Truth);
 }
@@ -142,20 +146,9 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
   {
     which[suspects[k]] = 1;
   }
-  if (!suspects.empty())
+  if (!suspects.empty() && !this->TraceFinely(which))
   {
-    std::vector<float> before = this->Truth, farther(this->Truth.size(), 1.0f);
-    if (!this->Tracer(this->With.coarse, FartherOff, which, farther) || !this->TraceFinely(which))
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < which.size(); ++i)
-    {
-      if (which[i] && std::abs(before[i] - farther[i]) > 0.5f)
-      {
-        this->Roles[i] = PixelRole::Uncertain;
-      }
-    }
+    return false;
   }
 
   const VisibilityError all =
@@ -169,32 +162,50 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
   }
   const double wrongShare = checked > 0 ? static_cast<double>(wrong) / checked : 1.0;
 
-  // Differences of the sample; what lies beside it is a receiver still, with its edges.
-  std::vector<PixelRole> roles = this->Roles;
-  for (std::size_t i = 0; i < roles.size(); ++i)
-  {
-    if (roles[i] == PixelRole::Measured && !this->IsSample[i])
-    {
-      roles[i] = PixelRole::Grazing;
-    }
-  }
-  error = MeasureVisibility(this->ImagesOf(visibility, roles), this->With.edgeDistance);
-  const std::size_t sampled = error.receiverPixels;
-  const auto ofAll = [&](double count)
-  { return sampled > 0 ? count * static_cast<double>(all.receiverPixels) / sampled : 0.0; };
-  error.receiverPixels = all.receiverPixels;
-  error.shadowPixels = static_cast<std::size_t>(std::lround(ofAll(error.shadowPixels)));
-  error.mismatchPixels = static_cast<std::size_t>(std::lround(ofAll(error.mismatchPixels)));
-  error.penumbraPixels = static_cast<std::size_t>(std::lround(ofAll(error.penumbraPixels)));
-  error.sumAbsoluteDifference = ofAll(error.sumAbsoluteDifference);
-  error.sumPenumbraDifference = ofAll(error.sumPenumbraDifference);
-  error.uncertainPixels = all.uncertainPixels;
   const double refuted = (1.0 - wrongShare) * static_cast<double>(unchecked);
   const double gross = static_cast<double>(all.GrossPixels());
   const double kept = gross > 0.0 ? std::max(gross - refuted, 0.0) / gross : 0.0;
+  error = this->DifferencesOf(visibility);
+  error.receiverPixels = all.receiverPixels;
+  error.uncertainPixels = all.uncertainPixels;
   error.grossFalsePixels = static_cast<std::size_t>(std::lround(kept * all.grossFalsePixels));
   error.grossMissedPixels = static_cast<std::size_t>(std::lround(kept * all.grossMissedPixels));
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Of the sample, as of all pixels; gross ones are not counted.
+VisibilityError AdaptiveTruth::DifferencesOf(const std::vector<float>& visibility) const
+{
+  double all[2] = { 0.0, 0.0 }, sampled[2] = { 0.0, 0.0 };
+  for (std::size_t i = 0; i < visibility.size(); ++i)
+  {
+    const bool isMeasured = this->Roles[i] == PixelRole::Measured;
+    all[this->IsPartial[i]] += isMeasured;
+    sampled[this->IsPartial[i]] += isMeasured && this->IsSample[i];
+  }
+  const double weights[2] = { all[0] / std::max(sampled[0], 1.0),
+    all[1] / std::max(sampled[1], 1.0) };
+  double shadow = 0.0, mismatch = 0.0, penumbra = 0.0;
+  VisibilityError error;
+  for (std::size_t i = 0; i < visibility.size(); ++i)
+  {
+    if (this->IsSample[i] && this->Roles[i] == PixelRole::Measured)
+    {
+      const double weight = weights[this->IsPartial[i]];
+      const PixelDifference pixel = DifferenceOf(visibility[i], this->Truth[i]);
+      shadow += this->Truth[i] > 0.5f ? 0.0 : weight;
+      mismatch += pixel.isMismatch ? weight : 0.0;
+      penumbra += pixel.isPartial ? weight : 0.0;
+      error.sumAbsoluteDifference += weight * pixel.absolute;
+      error.sumPenumbraDifference += pixel.isPartial ? weight * pixel.absolute : 0.0;
+    }
+  }
+  const auto whole = [](double count) { return static_cast<std::size_t>(std::lround(count)); };
+  error.shadowPixels = whole(shadow);
+  error.mismatchPixels = whole(mismatch);
+  error.penumbraPixels = whole(penumbra);
+  return error;
 }
 
 }

@@ -29,7 +29,8 @@ public:
     int height = 0;
     int coarse = 8;             // rays at every pixel
     int fine = 256;             // rays where it is partial
-    double samplePixels = 3e4;  // of the measured ones, from which differences are told
+    double partialPixels = 8e3; // in or beside what seems partial, from which differences are told
+    double otherPixels = 3e3;   // and elsewhere, where few rays may have missed a part
     double edgeDistance = 2.0;  // pixels, as of MeasureVisibility
     std::size_t checked = 1000; // pixels a measure that are traced finely for seeming gross
   };
@@ -37,9 +38,9 @@ public:
   // `roles`: one a pixel, none of them Uncertain yet. false if a trace fails.
   bool Begin(const Settings& settings, std::vector<PixelRole> roles, Trace trace);
 
-  // Hold `visibility`, one a pixel, against it. Differences and mismatch are of the pixels that
-  // were chosen for them, gross pixels and receiver pixels of all; a mismatch is gross once fine
-  // rays say so. false if a trace fails.
+  // Hold `visibility`, one a pixel, against it. Differences and mismatch are of pixels chosen by
+  // lot, each counted as often as there are of its kind; gross pixels and receiver pixels of all; a
+  // mismatch is gross once fine rays say so. false if a trace fails.
   bool Measure(const std::vector<float>& visibility, VisibilityError& error);
 
   // For tests: pixels that many rays were traced from.
@@ -47,6 +48,7 @@ public:
 
 private:
   bool TraceFinely(const std::vector<unsigned char>& which);
+  VisibilityError DifferencesOf(const std::vector<float>& visibility) const;
   VisibilityImages ImagesOf(
     const std::vector<float>& visibility, const std::vector<PixelRole>& roles) const;
 
@@ -54,6 +56,7 @@ private:
   Trace Tracer;
   std::vector<float> Truth;
   std::vector<PixelRole> Roles;
+  std::vector<unsigned char> IsPartial; // or beside what seems so
   std::vector<unsigned char> IsSample;
   std::vector<unsigned char> IsFine;
   std::size_t FinePixels = 0;

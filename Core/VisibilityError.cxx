@@ -202,9 +202,7 @@ private:
 PixelVerdict JudgeMeasured(float visibility, float truth, bool farFromEdge)
 {
   const bool lit = IsLit(truth);
-  // Written so that a visibility that is not a number counts as wrong.
-  const bool right = std::abs(static_cast<double>(visibility) - truth) <= 0.5;
-  if (right)
+  if (!DifferenceOf(visibility, truth).isMismatch)
   {
     return lit ? PixelVerdict::RightLit : PixelVerdict::RightShadow;
   }
@@ -240,14 +238,12 @@ void CountMeasured(
   error.mismatchPixels += verdict != PixelVerdict::RightLit && verdict != PixelVerdict::RightShadow;
   error.grossFalsePixels += verdict == PixelVerdict::GrossFalseShadow;
   error.grossMissedPixels += verdict == PixelVerdict::GrossMissedShadow;
-  const float visibility = images.visibility[pixel];
-  const double difference = std::abs(static_cast<double>(visibility) - truth);
-  error.sumAbsoluteDifference += difference;
-  const auto isPartial = [](float value) { return value > 0.0f && value < 1.0f; };
-  if (isPartial(truth) || isPartial(visibility))
+  const PixelDifference difference = DifferenceOf(images.visibility[pixel], truth);
+  error.sumAbsoluteDifference += difference.absolute;
+  if (difference.isPartial)
   {
     ++error.penumbraPixels;
-    error.sumPenumbraDifference += difference;
+    error.sumPenumbraDifference += difference.absolute;
   }
 }
 
@@ -256,6 +252,16 @@ double Share(double part, std::size_t whole)
   return whole > 0 ? part / static_cast<double>(whole) : 0.0;
 }
 
+}
+
+PixelDifference DifferenceOf(float visibility, float truth)
+{
+  const auto isPartial = [](float value) { return value > 0.0f && value < 1.0f; };
+  PixelDifference difference;
+  difference.absolute = std::abs(static_cast<double>(visibility) - truth);
+  difference.isMismatch = !(difference.absolute <= 0.5);
+  difference.isPartial = isPartial(truth) || isPartial(visibility);
+  return difference;
 }
 
 double VisibilityError::MismatchPercent() const

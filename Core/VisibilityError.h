@@ -49,6 +49,15 @@ struct VisibilityError
   double MeanPenumbraDifference() const; // over the penumbra pixels; 0 if there are none
 };
 
+// Of one pixel: what its visibility differs from the truth by.
+struct PixelDifference
+{
+  double absolute = 0.0;
+  bool isMismatch = false; // above 0.5, or not a number
+  bool isPartial = false;  // visibility or truth lies between 0 and 1
+};
+PixelDifference DifferenceOf(float visibility, float truth);
+
 // How one pixel fared, for error maps.
 enum class PixelVerdict : std::uint8_t
 {

@@ -19,9 +19,8 @@ constexpr double MeasuredRays = 1.0e6;
 constexpr double MeasuredRaysOfBudget = 4.0e6; // where a budget of error is held against it
 constexpr double LeastMeasuredPixels = 3.0e4;
 
-// Of a light with a radius: at every pixel, and the pixels from which differences are told.
+// Of a light with a radius, at every pixel.
 constexpr int CoarseSamples = 8;
-constexpr double SampledPixels = 3.0e4;
 
 }
 
@@ -100,7 +99,6 @@ bool vtkShadowPass::Internals::MeasureSoftError(
     settings.height = view.Size[1];
     settings.coarse = CoarseSamples;
     settings.fine = std::max(vtkshadows::TruthSamples, this->SamplesOfTruth());
-    settings.samplePixels = SampledPixels;
     settings.edgeDistance = GrossDistance * view.Scale;
     const auto trace = [this, &view, light](int samples, double epsilonScale,
                          const std::vector<unsigned char>& which, std::vector<float>& visibility)
