@@ -238,7 +238,7 @@ CLI::App* AddBench(CLI::App& app, RawOptions& raw)
     ->type_name("S");
   command->add_option("--frames", raw.frames, "rounds of timing, whatever they take")
     ->type_name("N");
-  command->add_option("--size", raw.benchSize, "pixels; default: 800x600, fast 400x300")
+  command->add_option("--size", raw.benchSize, "pixels; default: 640x480, fast 400x300")
     ->type_name("WxH");
   command
     ->add_option("--detail", bench.detail,

@@ -201,8 +201,8 @@ std::string PlanKey(const Options& options)
 WindowSize BenchWindow(const BenchOptions& options)
 {
   WindowSize window;
-  window.width = options.fast ? 400 : 800;
-  window.height = options.fast ? 300 : 600;
+  window.width = options.fast ? 400 : 640;
+  window.height = options.fast ? 300 : 480;
   return options.size.value_or(window);
 }
 
