@@ -28,39 +28,13 @@ constexpr std::size_t NearPlane = SidePlanes, FarPlaneOfView = SidePlanes + 1;
 constexpr int BoxFaces[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
   { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
 
-// Leaves the part where plane.x >= 0 (Sutherland and Hodgman 1974).
-void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane)
-{
-  std::vector<glm::dvec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const glm::dvec3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-    const double a = glm::dot(plane, glm::dvec4(from, 1.0));
-    const double b = glm::dot(plane, glm::dvec4(to, 1.0));
-    if (a >= 0.0)
-    {
-      kept.push_back(from);
-    }
-    if ((a >= 0.0) != (b >= 0.0))
-    {
-      kept.push_back(glm::mix(from, to, a / (a - b)));
-    }
-  }
-  polygon.swap(kept);
-}
-
 // Calls use(p) for the corners of what of the box's faces lies within the first `count` planes.
 template <typename Use>
 void ForEachSeenCorner(
   const BoxCorners& box, const std::array<glm::dvec4, 6>& planes, std::size_t count, const Use& use)
 {
-  for (const auto& face : BoxFaces)
+  for (std::vector<glm::dvec3> polygon : FacesOf(box))
   {
-    std::vector<glm::dvec3> polygon;
-    for (const int corner : face)
-    {
-      polygon.push_back(box[corner]);
-    }
     for (std::size_t i = 0; i < count; ++i)
     {
       ClipPolygon(polygon, planes[i]);
@@ -127,6 +101,41 @@ bool Box::Holds(const glm::dvec3& p) const
 {
   return !this->isEmpty && glm::all(glm::greaterThanEqual(p, this->minimum)) &&
     glm::all(glm::lessThanEqual(p, this->maximum));
+}
+
+//------------------------------------------------------------------------------
+std::array<std::vector<glm::dvec3>, 6> FacesOf(const BoxCorners& box)
+{
+  std::array<std::vector<glm::dvec3>, 6> faces;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (const int corner : BoxFaces[i])
+    {
+      faces[i].push_back(box[corner]);
+    }
+  }
+  return faces;
+}
+
+//------------------------------------------------------------------------------
+void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane)
+{
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const glm::dvec3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const double a = glm::dot(plane, glm::dvec4(from, 1.0));
+    const double b = glm::dot(plane, glm::dvec4(to, 1.0));
+    if (a >= 0.0)
+    {
+      kept.push_back(from);
+    }
+    if ((a >= 0.0) != (b >= 0.0))
+    {
+      kept.push_back(glm::mix(from, to, a / (a - b)));
+    }
+  }
+  polygon.swap(kept);
 }
 
 //------------------------------------------------------------------------------

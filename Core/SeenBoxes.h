@@ -36,6 +36,12 @@ struct Box
   bool Holds(const glm::dvec3& p) const;
 };
 
+// Its six sides, each as its corners in their order around it.
+std::array<std::vector<glm::dvec3>, 6> FacesOf(const BoxCorners& box);
+
+// Leaves the part of a convex polygon where plane.x >= 0 (Sutherland and Hodgman 1974).
+void ClipPolygon(std::vector<glm::dvec3>& polygon, const glm::dvec4& plane);
+
 // Where plane.x >= 0 for all of these is seen: the four sides of the view, its near and far plane.
 std::array<glm::dvec4, 6> ViewPlanes(const glm::dmat4& clipFromWorld);
 constexpr std::size_t SidePlanes = 4; // the first of them

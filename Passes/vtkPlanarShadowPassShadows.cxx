@@ -215,7 +215,7 @@ void vtkPlanarShadowPass::Internals::FindCasters(const vtkShadowFrame& frame, Sh
     {
       double lowest = 0.0, highest = 0.0;
       vtkshadows::HeightsOver(shadow.PlaneWC, piece.CornersWC, lowest, highest);
-      if (!props[i].Casts || !(highest > this->Planes.Tolerance()) ||
+      if (!props[i].Casts || piece.WideFloor || !(highest > this->Planes.Tolerance()) ||
         this->Planes.LiesOn(piece, plane.PlaneWC) ||
         (isHard && !vtkshadows::ShadowMayReach(plane.Bounds, lightWC, piece.CornersWC)) ||
         (isHard && !this->Self->PlaneTextures &&

@@ -96,8 +96,8 @@ std::vector<BoxCorners> vtkShadowMapViews::CastersOf(const vtkShadowScene& scene
     }
     for (const vtkShadowScene::Piece& piece : props[i].Pieces)
     {
-      if (!vtkshadows::CastsOnNothing(
-            piece.PlaneWC, light.Ray, receivers, 2.0 * std::max(rounding, piece.Rounding)))
+      if (!vtkShadowCastsOnNothing(
+            piece, light.Ray, receivers, 2.0 * std::max(rounding, piece.Rounding)))
       {
         casters.push_back(piece.CornersWC);
         owners.push_back(i);

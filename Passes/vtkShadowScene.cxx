@@ -17,7 +17,7 @@ void vtkShadowScene::Gather(vtkRenderer* renderer)
 {
   this->Internal->GatherLights(renderer);
   this->Internal->GatherProps(renderer);
-  this->Internal->FindWideFloor();
+  this->Internal->FindWideFloors(renderer);
   this->Internal->FindCoarse();
   this->Internal->StampCasters();
   for (vtkProp* prop : this->Internal->Unbounded)

@@ -5,6 +5,7 @@
 
 #include "LightView.h"
 #include "ShadowLight.h"
+#include "ShadowReach.h"
 #include "vtkShadowScene.h"
 
 #include <glm/mat4x4.hpp>
@@ -44,9 +45,10 @@ struct vtkShadowScene::Piece
   // A flat piece's plane n.x = d, n of length 1, if every point lies on it to rounding; else n = 0.
   glm::dvec4 PlaneWC{ 0.0 };
   double PlaneRounding = 0.0; // how exactly it is known, along n
-  // A floor far wider than all else in the scene, which under none of the lights casts on anything.
-  // What receives on it is where a pixel's ray meets its plane, not where floats of its corners
-  // have it: VertexReach and Rounding are those of the plane and of what stands there.
+  // A floor or wall far wider than all else in the scene, but for others like it, which under none
+  // of the lights casts on anything that is seen: it is no caster. What receives on it is where a
+  // pixel's ray meets its plane, not where floats of its corners have it: VertexReach and Rounding
+  // are those of the plane and of what stands there.
   bool WideFloor = false;
   // No texture, and no shader code of the user's, can cut holes in it.
   bool DrawnSolid = false;
@@ -91,6 +93,15 @@ std::vector<vtkshadows::BoxCorners> vtkShadowCornersOf(
     }
   }
   return corners;
+}
+
+// Whether nothing that is seen can lie in the shadow of a piece, by its plane. What lies within
+// `rounding` of that may lie on it.
+inline bool vtkShadowCastsOnNothing(const vtkShadowScene::Piece& piece,
+  const vtkshadows::ShadowLight& light, const std::vector<vtkshadows::BoxCorners>& receivers,
+  double rounding)
+{
+  return piece.WideFloor || vtkshadows::CastsOnNothing(piece.PlaneWC, light, receivers, rounding);
 }
 
 // Of what receives, how exactly its points are known, at the worst.

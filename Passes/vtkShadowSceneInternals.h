@@ -8,7 +8,9 @@
 
 #include "vtkShadowScene.h"
 
+#include "HidingScreen.h"
 #include "ShadowReach.h"
+#include "vtkShadowByPiece.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSceneData.h"
 
@@ -25,6 +27,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -106,7 +109,7 @@ public:
   void GatherProps(vtkRenderer* renderer);
   void AddPiece(Prop& prop, vtkProp* leaf, vtkMatrix4x4* matrix);
   void AddStandIn();
-  void FindWideFloor();
+  void FindWideFloors(vtkRenderer* renderer);
   void FindCoarse();
   void StampCasters();
 
@@ -136,6 +139,12 @@ public:
 
 private:
   vtkShadowFlatMesh PlaneOf(vtkMapper* mapper);
+  bool HidesItsShadow(const Prop& prop, const Piece& piece, const Light& light,
+    const std::vector<vtkshadows::BoxCorners>& receivers, double rounding,
+    const vtkshadows::PixelView& view);
+
+  // In model coordinates; none of what has holes, or is no rectangle.
+  vtkShadowByPiece<std::optional<vtkshadows::ScreenCorners>> Screens;
 };
 
 #endif

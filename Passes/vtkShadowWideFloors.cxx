@@ -37,7 +37,48 @@ bool vtkShadowWideFloors::Gather(const vtkShadowFrame& frame)
   }
   const bool changed = mappers != this->Mappers;
   this->Mappers.swap(mappers);
+  this->GatherLeaves(frame.Scene->GetProps());
   return changed;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowWideFloors::GatherLeaves(const std::vector<vtkShadowScene::Prop>& props)
+{
+  this->MappersOfLeaves.clear();
+  this->LeavesByKeys.clear();
+  if (this->Mappers.empty())
+  {
+    return;
+  }
+  for (const vtkShadowScene::Prop& prop : props)
+  {
+    for (const vtkShadowScene::Piece& piece : prop.Pieces)
+    {
+      this->MappersOfLeaves[piece.Prop] = piece.Mapper;
+      const auto known = this->LeavesByKeys.emplace(piece.Prop->GetPropertyKeys(), piece.Prop);
+      if (known.first->second != piece.Prop)
+      {
+        known.first->second = nullptr;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const vtkProp* vtkShadowWideFloors::LeafOf(vtkProp* prop) const
+{
+  if (this->MappersOfLeaves.count(prop) != 0)
+  {
+    return prop;
+  }
+  const auto known = this->LeavesByKeys.find(prop->GetPropertyKeys());
+  return known != this->LeavesByKeys.end() ? known->second : nullptr;
+}
+
+const vtkAbstractMapper* vtkShadowWideFloors::MapperOf(vtkProp* prop) const
+{
+  const auto known = this->MappersOfLeaves.find(this->LeafOf(prop));
+  return known != this->MappersOfLeaves.end() ? known->second : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +91,7 @@ const char* vtkShadowWideFloors::Declarations()
 void vtkShadowWideFloors::SetParameters(
   vtkShaderProgram* program, vtkProp* prop, vtkOpenGLState* state) const
 {
-  const auto known = this->PlanesVC.find(prop);
+  const auto known = this->PlanesVC.find(this->LeafOf(prop));
   float plane[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   for (int i = 0; known != this->PlanesVC.end() && i < 4; ++i)
   {

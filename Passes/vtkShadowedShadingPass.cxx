@@ -103,10 +103,6 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
   {
     this->ShaderStage.Modified();
   }
-  if (this->WideFloors->Gather(frame))
-  {
-    this->ShaderStage.Modified();
-  }
   this->Falloffs->Gather(frame, this->Plan);
   if (this->CullHiddenFaces)
   {
@@ -130,6 +126,10 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
       this->Users.emplace(
         static_cast<vtkAbstractMapper*>(piece.Mapper), static_cast<vtkProp*>(piece.Prop));
     }
+  }
+  if (this->WideFloors->Gather(frame))
+  {
+    this->ShaderStage.Modified();
   }
   if (dithered != this->Dithered)
   {

@@ -198,7 +198,7 @@ void vtkShadowedShadingPass::PlacePositions(std::string& vertexShader, std::stri
       [&](std::size_t light) { return this->Tells(light, mapper, prop); });
   }
 
-  const bool isWideFloor = this->WideFloors->Has(mapper);
+  const bool isWideFloor = this->WideFloors->Has(mapper, prop);
   const char* place = isWideFloor ? vtkShadowWideFloors::PlaceCode() : "vertexVC";
   std::ostringstream vertexDeclarations, vertexCode, fragmentDeclarations;
   for (std::size_t n = 0; n < lookups.size(); ++n)
@@ -332,7 +332,7 @@ std::string vtkShadowedShadingPass::OutputCode(const std::string& fragmentShader
   if (this->CurrentStage == POSITIONS)
   {
     const std::string place =
-      this->WideFloors->Has(mapper) ? vtkShadowWideFloors::PlaceCode() : "vertexVC";
+      this->WideFloors->Has(mapper, prop) ? vtkShadowWideFloors::PlaceCode() : "vertexVC";
     return isImpostor ? "  gl_FragData[0] = shadowReceiver(vertexVC.xyz, normalVCVSOutput);\n"
                       : "  gl_FragData[0] = shadowReceiver(" + place + ".xyz);\n";
   }
@@ -427,7 +427,7 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
     {
       this->PlaceTexels(vertexShader, geometryShader, fragmentShader);
     }
-    if (!this->DrawsCasters() && this->WideFloors->Has(mapper))
+    if (!this->DrawsCasters() && this->WideFloors->Has(mapper, prop))
     {
       this->PlaceDepth(fragmentShader);
     }

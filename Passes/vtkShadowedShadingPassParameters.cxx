@@ -52,7 +52,7 @@ bool vtkShadowedShadingPass::SetShaderParameters(
   {
     this->State->vtkglDepthMask(GL_TRUE);
   }
-  if (this->WideFloors->Has(mapper))
+  if (this->WideFloors->Has(mapper, prop))
   {
     this->WideFloors->SetParameters(program, prop, this->State);
   }

@@ -42,6 +42,8 @@ void AddCellars(ExtremeCaseList& cases);
 // Places of lights, cones, numbers of lights; a sun and a lamp at scales and offsets.
 void AddLights(ExtremeCaseList& cases);
 void AddOtherLights(ExtremeCaseList& cases);
+// Floors and walls far wider than the still life, by themselves and as parts of other props.
+void AddFloors(ExtremeCaseList& cases);
 // Sizes and shapes of triangles, broken coordinates; matrices of actors.
 void AddMeshes(ExtremeCaseList& cases);
 void AddMatrices(ExtremeCaseList& cases);

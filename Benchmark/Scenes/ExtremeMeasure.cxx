@@ -70,6 +70,16 @@ std::string FileName(std::string name)
   return name + ".png";
 }
 
+ExtremeScene PlainSceneOf(const ExtremeCase& extreme)
+{
+  ExtremeScene scene = PlainExtremeScene();
+  if (extreme.plain)
+  {
+    extreme.plain(scene);
+  }
+  return scene;
+}
+
 void WritePng(vtkImageData* image, const std::string& file)
 {
   vtkNew<vtkPNGWriter> writer;
@@ -201,10 +211,12 @@ ExtremeOutcome ExtremeMeasure::Measure(const ExtremeCase& extreme, const std::st
     this->MeasureScene(scene, technique, images, extreme.Name() + " " + technique);
   if (extreme.looksPlain && outcome.made)
   {
-    const auto isNew = this->Plain.emplace(technique, Images());
+    const std::string plain = extreme.plain ? extreme.kind : "";
+    const auto isNew = this->Plain[plain].emplace(technique, Images());
     if (isNew.second)
     {
-      this->MeasureScene(PlainExtremeScene(), technique, isNew.first->second, "plain " + technique);
+      this->MeasureScene(
+        PlainSceneOf(extreme), technique, isNew.first->second, "plain " + plain + " " + technique);
     }
     outcome.agreement = AgreementPercent(images.visibility, isNew.first->second.visibility);
     outcome.truthAgreement =
@@ -231,9 +243,10 @@ double ExtremeMeasure::UnshadowedDifference(const ExtremeCase& extreme)
   {
     return -1.0;
   }
-  if (this->PlainFrame.empty())
+  std::vector<unsigned char>& plain = this->PlainFrames[extreme.plain ? extreme.kind : ""];
+  if (plain.empty())
   {
-    this->PlainFrame = this->FrameOf(PlainExtremeScene());
+    plain = this->FrameOf(PlainSceneOf(extreme));
   }
   // Its first light alone, as the plain still life has it.
   ExtremeScene scene = PlainExtremeScene();
@@ -241,16 +254,16 @@ double ExtremeMeasure::UnshadowedDifference(const ExtremeCase& extreme)
   scene.lights.resize(1);
   const std::vector<unsigned char> frame = this->FrameOf(scene);
   std::size_t unlike = 0;
-  for (std::size_t i = 0; i + 2 < std::min(frame.size(), this->PlainFrame.size()); i += 3)
+  for (std::size_t i = 0; i + 2 < std::min(frame.size(), plain.size()); i += 3)
   {
     int largest = 0;
     for (std::size_t c = i; c < i + 3; ++c)
     {
-      largest = std::max(largest, std::abs(int(frame[c]) - int(this->PlainFrame[c])));
+      largest = std::max(largest, std::abs(int(frame[c]) - int(plain[c])));
     }
     unlike += largest > ColourTolerance ? 1 : 0;
   }
-  return 100.0 * static_cast<double>(unlike) / (static_cast<double>(this->PlainFrame.size()) / 3.0);
+  return 100.0 * static_cast<double>(unlike) / (static_cast<double>(plain.size()) / 3.0);
 }
 
 }

@@ -25,7 +25,8 @@ struct ExtremeOutcome
 {
   bool made = false; // a visibility was read back; of a scene without lights: a frame was drawn
   // Share of pixels, in percent, whose visibility lies on the same side of 0.5 as in the plain
-  // still life; negative where the case is not alike. The same of the truth.
+  // still life, or what the case has in its place; negative where the case is not alike. The same
+  // of the truth.
   double agreement = -1.0;
   double truthAgreement = -1.0;
   // Against the truth of the case itself, as vtkShadowErrorMeasure has it, of its first and last
@@ -52,7 +53,8 @@ public:
   ExtremeOutcome Measure(const ExtremeCase& extreme, const std::string& technique);
 
   // Share of pixels, in percent, in which VTK's own frame, without shadows, differs from that of
-  // the plain still life by more than 8 of 255. Negative where the case is not alike.
+  // the plain still life, or what the case has in its place, by more than 8 of 255. Negative where
+  // the case is not alike.
   double UnshadowedDifference(const ExtremeCase& extreme);
 
   // Where to write a picture of each error map and shadowed frame: PNGs into this folder, if not
@@ -71,8 +73,9 @@ private:
 
   vtkRenderWindow* Window;
   vtkNew<vtkRenderer> Renderer;
-  std::map<std::string, Images> Plain; // by technique
-  std::vector<unsigned char> PlainFrame;
+  // By what they are of: "" is the plain still life, else the kind of cases with one of their own.
+  std::map<std::string, std::map<std::string, Images>> Plain; // and by technique
+  std::map<std::string, std::vector<unsigned char>> PlainFrames;
 };
 
 }

@@ -13,18 +13,6 @@ namespace vtkshadows
 
 void AddMeshes(ExtremeCaseList& cases)
 {
-  for (const double times : { 1e2, 1e4, 1e6 })
-  {
-    cases.Add("floor wider by", Text(times), true,
-      [=](ExtremeScene& scene) { scene.parts[Floor].mesh = MakeFloor(2.5 * times); });
-  }
-  cases.Add("floor wider by", "1e+06, parallel view", false,
-    [](ExtremeScene& scene)
-    {
-      scene.parts[Floor].mesh = MakeFloor(2.5e6);
-      scene.parallelScale = 2.6;
-      scene.clipping[1] = 80.0;
-    });
   for (const double aspect : { 1e2, 1e4, 1e6 })
   {
     cases.Add("slivers of aspect", Text(aspect), false,

@@ -67,14 +67,20 @@ vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const glm::dmat4& to)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeFloor(double half, double height)
+vtkSmartPointer<vtkPolyData> MakeRectangle(
+  const glm::dvec3& corner, const glm::dvec3& right, const glm::dvec3& up)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->SetOrigin(-half, -half, height);
-  plane->SetPoint1(half, -half, height);
-  plane->SetPoint2(-half, half, height);
+  plane->SetOrigin(corner.x, corner.y, corner.z);
+  plane->SetPoint1(right.x, right.y, right.z);
+  plane->SetPoint2(up.x, up.y, up.z);
   return OutputOf(plane);
+}
+
+vtkSmartPointer<vtkPolyData> MakeFloor(double half, double height)
+{
+  return MakeRectangle({ -half, -half, height }, { half, -half, height }, { -half, half, height });
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,9 @@ namespace vtkshadows
 vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const glm::dmat4& to);
 
 vtkSmartPointer<vtkPolyData> MakeFloor(double half, double height = 0.0);
+// From one corner to its two neighbours.
+vtkSmartPointer<vtkPolyData> MakeRectangle(
+  const glm::dvec3& corner, const glm::dvec3& right, const glm::dvec3& up);
 vtkSmartPointer<vtkPolyData> MakeBall(const glm::dvec3& centre, double radius, int resolution = 64);
 // Its sides 1.4, 1.2 and 1.3, from the floor up, a little turned.
 vtkSmartPointer<vtkPolyData> MakeBox();

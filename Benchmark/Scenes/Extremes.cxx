@@ -2,11 +2,18 @@
 #include "ExtremeMeshes.h"
 
 #include <vtkActor.h>
+#include <vtkAssembly.h>
 #include <vtkCamera.h>
+#include <vtkCompositePolyDataMapper.h>
+#if __has_include(<vtkCompositePolyDataMapper2.h>)
+#include <vtkCompositePolyDataMapper2.h>
+#endif
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProp3DCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -37,6 +44,48 @@ vtkSmartPointer<vtkLight> LightOf(const ShadowLight& light, const glm::dvec3& of
   made->SetFocalPoint(focus.x, focus.y, focus.z);
   made->SetConeAngle(light.kind == LightKind::Point ? 180.0 : light.coneAngle);
   return made;
+}
+
+vtkSmartPointer<vtkActor> ActorOf(
+  const ExtremePart& part, const glm::dmat4& worldFromScene, bool byMatrix)
+{
+  const bool isPlain = byMatrix || worldFromScene == glm::dmat4(1.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(
+    isPlain || !part.mesh->GetPoints() ? part.mesh.Get() : Moved(part.mesh, worldFromScene).Get());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(part.colour.x, part.colour.y, part.colour.z);
+  const glm::dmat4 worldFromModel =
+    byMatrix ? worldFromScene * part.sceneFromModel : part.sceneFromModel;
+  if (worldFromModel != glm::dmat4(1.0))
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int row = 0; row < 4; ++row)
+    {
+      for (int column = 0; column < 4; ++column)
+      {
+        matrix->SetElement(row, column, worldFromModel[column][row]);
+      }
+    }
+    actor->SetUserMatrix(matrix);
+  }
+  return actor;
+}
+
+vtkSmartPointer<vtkMapper> MapperOf(vtkDataObject* blocks, ExtremeGrouping grouping)
+{
+  auto mapper = vtkSmartPointer<vtkMapper>::Take(vtkCompositePolyDataMapper::New());
+#if __has_include(<vtkCompositePolyDataMapper2.h>)
+  if (grouping == ExtremeGrouping::Blocks)
+  {
+    mapper = vtkSmartPointer<vtkMapper>::Take(vtkCompositePolyDataMapper2::New());
+  }
+#else
+  static_cast<void>(grouping); // later versions have the one
+#endif
+  mapper->SetInputDataObject(blocks);
+  return mapper;
 }
 
 }
@@ -120,6 +169,7 @@ std::vector<ExtremeCase> ExtremeCases()
   AddLights(cases);
   AddOtherLights(cases);
   AddCellars(cases);
+  AddFloors(cases);
   AddMeshes(cases);
   AddMatrices(cases);
   for (ExtremeCase& extreme : cases.all)
@@ -127,8 +177,11 @@ std::vector<ExtremeCase> ExtremeCases()
     const std::string name = extreme.Name();
     const auto isOneOf = [&name](std::initializer_list<const char*> names)
     { return std::find(names.begin(), names.end(), name) != names.end(); };
-    extreme.isBeyond =
-      isOneOf({ "near:far 1:1e+07", "coordinates 1e12 among others", "matrix sheared by 1000" });
+    extreme.isBeyond = isOneOf({ "near:far 1:1e+07", "coordinates 1e12 among others",
+      "matrix sheared by 1000", "floor with all else in composite data wider by 10000",
+      "floor with all else in composite data wider by 1e+06",
+      "floor with all else in composite data, block by block, wider by 10000",
+      "floor with all else in composite data, block by block, wider by 1e+06" });
     extreme.isBroken = extreme.kind == "coordinates" || extreme.kind == "matrix";
   }
   return std::move(cases.all);
@@ -142,30 +195,32 @@ std::vector<vtkSmartPointer<vtkLight>> Build(const ExtremeScene& scene, vtkRende
   renderer->AutomaticLightCreationOff();
   const glm::dmat4 worldFromScene =
     glm::scale(glm::translate(glm::dmat4(1.0), scene.offset), glm::dvec3(scene.scale));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkAssembly> assembly;
   for (const ExtremePart& part : scene.parts)
   {
-    const bool isPlain = scene.byMatrix || worldFromScene == glm::dmat4(1.0);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(isPlain || !part.mesh->GetPoints()
-        ? part.mesh.Get()
-        : Moved(part.mesh, worldFromScene).Get());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(part.colour.x, part.colour.y, part.colour.z);
-    const glm::dmat4 worldFromModel =
-      scene.byMatrix ? worldFromScene * part.sceneFromModel : part.sceneFromModel;
-    if (worldFromModel != glm::dmat4(1.0))
+    const vtkSmartPointer<vtkActor> actor = ActorOf(part, worldFromScene, scene.byMatrix);
+    if (!part.isGrouped)
     {
-      vtkNew<vtkMatrix4x4> matrix;
-      for (int row = 0; row < 4; ++row)
-      {
-        for (int column = 0; column < 4; ++column)
-        {
-          matrix->SetElement(row, column, worldFromModel[column][row]);
-        }
-      }
-      actor->SetUserMatrix(matrix);
+      renderer->AddActor(actor);
     }
+    else if (scene.grouping == ExtremeGrouping::Assembly)
+    {
+      assembly->AddPart(actor);
+    }
+    else
+    {
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), actor->GetMapper()->GetInputDataObject(0, 0));
+    }
+  }
+  if (assembly->GetParts()->GetNumberOfItems() > 0)
+  {
+    renderer->AddActor(assembly);
+  }
+  if (blocks->GetNumberOfBlocks() > 0)
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(MapperOf(blocks, scene.grouping));
     renderer->AddActor(actor);
   }
 

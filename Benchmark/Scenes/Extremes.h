@@ -29,12 +29,22 @@ struct ExtremePart
   vtkSmartPointer<vtkPolyData> mesh;
   glm::dmat4 sceneFromModel{ 1.0 };
   glm::dvec3 colour{ 0.8, 0.8, 0.8 };
+  bool isGrouped = false; // one prop with all others that are
+};
+
+// What the parts of one prop are.
+enum class ExtremeGrouping
+{
+  Blocks,      // of composite data, drawn together
+  BlockMeshes, // of composite data, each drawn by a mapper of its own
+  Assembly     // actors
 };
 
 // All that makes a picture, in scene coordinates.
 struct ExtremeScene
 {
-  std::vector<ExtremePart> parts;  // the floor first
+  std::vector<ExtremePart> parts; // the floor first
+  ExtremeGrouping grouping = ExtremeGrouping::Blocks;
   std::vector<ShadowLight> lights; // the first is the one that is measured
   glm::dvec3 eye{ 0.0, 0.0, 0.0 };
   glm::dvec3 focus{ 0.0, 0.0, 0.0 };
@@ -56,7 +66,8 @@ struct ExtremeCase
 {
   std::string kind;  // "scale by points"
   std::string value; // "1e-12"
-  // Shows what the plain still life shows: its pictures can be held against each other.
+  // Shows what the plain still life shows, or what `plain` makes of it: its pictures can be held
+  // against those.
   bool looksPlain = false;
   // Takes minutes or gigabytes.
   bool isHeavy = false;
@@ -66,6 +77,7 @@ struct ExtremeCase
   // The input is broken: a technique may say so, in one sentence.
   bool isBroken = false;
   std::function<void(ExtremeScene&)> change;
+  std::function<void(ExtremeScene&)> plain; // one for all cases of a kind, or none
 
   std::string Name() const { return this->kind + " " + this->value; }
 };
