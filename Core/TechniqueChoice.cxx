@@ -172,6 +172,12 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
                 : margin * error.mismatch <= MostMismatchPercent;
 }
 
+bool HangsOnFewPixels(const ErrorPercents& error)
+{
+  constexpr double Few = 4.5;
+  return error.isSampled && IsGross(error, 1.0) && 0.01 * error.gross * error.pixels < Few;
+}
+
 std::string BudgetText(const ShadowBudget& budget)
 {
   return budget.maximumError ? "at most " + NumberText(*budget.maximumError) + " % wrong"

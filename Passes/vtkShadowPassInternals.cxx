@@ -14,6 +14,9 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
 
+#include <map>
+#include <utility>
+
 using vtkshadows::AutoTechnique;
 using vtkshadows::NoTechnique;
 using vtkshadows::SceneStage;
@@ -189,27 +192,36 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
   request.Planes =
     vtkPlanarShadowPass::SafeDownCast(this->Find("planar"))->GetMaximumNumberOfPlanes();
   request.IsDrawn = isDrawn;
-  // All that is measured in this frame shares them: a smaller view, and the frame's own.
-  std::optional<MeasuredView> views[2];
+  // All that is measured in this frame shares them: smaller views or some of the frame's pixels,
+  // and all of these, for what hangs on a few.
+  std::map<std::pair<bool, bool>, MeasuredView> views;
   request.MeasureErrors = [&](const std::string& name, const std::vector<int>& measured,
                             std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
   {
-    const bool allDrawn = this->Find(name)->IsSoftByPixels();
-    std::optional<MeasuredView>& view = views[allDrawn ? 1 : 0];
-    if (!view)
+    const auto measure = [&](bool allPixels)
     {
-      view.emplace();
-      this->Reduce(*view, frame, lights, allDrawn);
-    }
-    return this->MeasureErrors(*view, plan, name, measured, errors);
+      const bool allDrawn = this->Find(name)->IsSoftByPixels();
+      const auto [view, isNew] = views.try_emplace({ allPixels, allDrawn });
+      if (isNew)
+      {
+        this->Reduce(view->second, frame,
+          allPixels ? MostMeasuredPixels : this->PixelsToMeasure(lights), allDrawn);
+      }
+      errors.clear();
+      return this->MeasureErrors(view->second, plan, name, measured, errors);
+    };
+    const auto isUnclear = [](const std::optional<vtkshadows::ErrorPercents>& error)
+    { return error && vtkshadows::HangsOnFewPixels(*error); };
+    const bool done = measure(false);
+    return done && !this->Chooser.GetBudget().maximumError &&
+        std::any_of(errors.begin(), errors.end(), isUnclear)
+      ? measure(true)
+      : done;
   };
   const std::vector<std::string> names = this->Chooser.Choose(request);
-  for (std::optional<MeasuredView>& view : views)
+  for (auto& view : views)
   {
-    if (view)
-    {
-      view->Receivers.Release();
-    }
+    view.second.Receivers.Release();
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {

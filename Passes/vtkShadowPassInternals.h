@@ -212,8 +212,10 @@ public:
     std::map<int, Measured> Truths; // of lights without a radius
     std::map<int, vtkshadows::AdaptiveTruth> SoftTruths;
   };
-  void Reduce(
-    MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights, bool allDrawn);
+  static constexpr double MostMeasuredPixels = 1.0e6;
+  double PixelsToMeasure(const std::vector<int>& lights) const;
+  static void Reduce(
+    MeasuredView& view, const vtkShadowFrame& frame, double mostPixels, bool allDrawn);
   bool MeasureErrors(MeasuredView& view, const std::vector<vtkShadowedShadingPass::LightPlan>& plan,
     const std::string& name, const std::vector<int>& lights,
     std::vector<std::optional<vtkshadows::ErrorPercents>>& errors);

@@ -25,20 +25,26 @@ constexpr int CoarseSamples = 8;
 }
 
 //------------------------------------------------------------------------------
-// No more pixels than a part of a second allows: of a smaller view, or, `allDrawn`, some of those
-// of the frame's own.
-void vtkShadowPass::Internals::Reduce(
-  MeasuredView& view, const vtkShadowFrame& frame, const std::vector<int>& lights, bool allDrawn)
+// No more than a part of a second allows.
+double vtkShadowPass::Internals::PixelsToMeasure(const std::vector<int>& lights) const
 {
   double rays = 0.0;
   for (const int i : lights)
   {
     rays += this->Scene->GetLights()[i].Ray.radius > 0.0 ? CoarseSamples : 1.0;
   }
-  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
   const double budget =
     this->Chooser.GetBudget().maximumError ? MeasuredRaysOfBudget : MeasuredRays;
-  view.Scale = std::min(1.0, std::sqrt(std::max(budget / rays, LeastMeasuredPixels) / pixels));
+  return std::max(budget / rays, LeastMeasuredPixels);
+}
+
+//------------------------------------------------------------------------------
+// No more pixels than that: of a smaller view, or, `allDrawn`, some of those of the frame's own.
+void vtkShadowPass::Internals::Reduce(
+  MeasuredView& view, const vtkShadowFrame& frame, double mostPixels, bool allDrawn)
+{
+  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
+  view.Scale = std::min(1.0, std::sqrt(mostPixels / pixels));
   view.Frame = frame;
   for (int axis = 0; axis < 2; ++axis)
   {

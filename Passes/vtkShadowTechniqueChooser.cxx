@@ -442,6 +442,7 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
   std::vector<bool> served(lights.size(), false);
   double cheapest = std::numeric_limits<double>::infinity();
   this->Verdicts.clear();
+  this->MeasuresWait = false;
 
   const auto judge = [&](const Setting& setting)
   {
@@ -501,17 +502,18 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
     {
       continue;
     }
-    // As long as what is in use serves, the others are looked at once in a while, one a frame.
+    // Once something serves, the others are measured one a frame: those of which nothing is known
+    // in turn, the known ones once in a while.
     const bool isServed = std::all_of(served.begin(), served.end(), [](bool is) { return is; });
-    const bool isUrgent = !isServed || (isUnknown && !this->Trials().IsSettled());
-    if (isUrgent || !hasMeasured)
+    if (!isServed || !hasMeasured)
     {
       const bool did =
-        this->MeasureFor(request, setting, [isUrgent](const ChosenLight&) { return isUrgent; });
+        this->MeasureFor(request, setting, [isServed](const ChosenLight&) { return !isServed; });
       hasMeasured = hasMeasured || did;
     }
     else if (isUnknown)
     {
+      this->MeasuresWait = true;
       continue;
     }
     judge(setting);

@@ -61,7 +61,10 @@ public:
   double SecondsMeasuring() const { return this->MeasuringSeconds; } // in the last Choose
   // Whether a choice that is made already, for lights that stand or that move, has a technique.
   bool MayUse(const std::string& technique) const;
-  bool IsSettled() const { return !this->IsChosen || this->Trials().IsSettled(); }
+  bool IsSettled() const
+  {
+    return !this->IsChosen || (!this->MeasuresWait && this->Trials().IsSettled());
+  }
 
   // Why the light has what it has; empty if it was given none.
   std::string Explain(const vtkLight* light) const;
@@ -120,7 +123,8 @@ private:
   std::map<const vtkLight*, ChosenLight> LastDrawn;
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
   bool IsChosen = false;
-  std::size_t Drawn = 0; // among the ways: the last Choose's
+  bool MeasuresWait = false; // for the next frames, of settings that nothing is known of
+  std::size_t Drawn = 0;     // among the ways: the last Choose's
   std::vector<Setting> LastSettings;
   bool Holds = false;
   std::map<const vtkLight*, Setting> InUse; // the same, by light

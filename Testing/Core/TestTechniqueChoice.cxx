@@ -146,8 +146,12 @@ TEST(TechniqueChoice, Budgets)
   one.pixels = 2.0e4;
   one.gross = 100.0 / one.pixels;
   EXPECT_TRUE(vtkshadows::IsWithin({}, one, false, 1.25));
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(one));
   one.isSampled = true;
   EXPECT_FALSE(vtkshadows::IsWithin({}, one, false, 1.0));
+  EXPECT_TRUE(vtkshadows::HangsOnFewPixels(one));
+  one.gross *= 5.0;
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(one)) << "five are no chance";
   one.isSampled = false;
   one.gross = 2.0 * 100.0 / one.pixels;
   EXPECT_FALSE(vtkshadows::IsWithin({}, one, false, 1.0));
