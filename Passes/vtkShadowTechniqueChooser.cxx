@@ -302,6 +302,14 @@ void vtkShadowTechniqueChooser::SetBudget(const vtkshadows::ShadowBudget& budget
   this->Errors.ForgiveAll();
 }
 
+// Whether the eye goes by steps, and the next measure of what is in use waits.
+bool vtkShadowTechniqueChooser::IsOnTheWay(
+  const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record)
+{
+  return light.Step > 0.0 && light.Step <= OneStep &&
+    record.Elapsed < MeasuringShareOnTheWay * record.Cost;
+}
+
 // What is urgent may be needed for this frame.
 bool vtkShadowTechniqueChooser::NeedsMeasure(
   const Setting& setting, const ChosenLight& light, bool isUrgent) const
@@ -324,15 +332,14 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   {
     return record->Drift > OtherPicture && !mayWait;
   }
-  const bool isOnTheWay = light.Step > 0.0 && light.Step <= OneStep &&
-    record->Elapsed < MeasuringShareOnTheWay * record->Cost;
+  const bool isOnTheWay = IsOnTheWay(light, *record);
   const bool isClose = !vtkshadows::IsWithin(
     this->Budget, record->Error, soft, this->MarginOf(setting, light, *record, record->Drift));
   if (this->IsMoving)
   {
     return (isClose || record->Drift > SamePicture) && !mayWait;
   }
-  return isClose || (record->Drift > OtherPicture && !isOnTheWay) ||
+  return ((isClose || record->Drift > OtherPicture) && !isOnTheWay) ||
     (record->Drift > SamePicture && !mayWait);
 }
 
@@ -391,7 +398,10 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
       const bool isOfThis =
         this->IsMoving || record->Drift <= OtherPicture || this->IsInUse(setting, light);
       verdict.Error = isOfThis ? std::make_optional(record->Error) : std::nullopt;
-      const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture) : record->Drift;
+      // While a measure waits, what is in use is as it was measured last.
+      const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture)
+        : this->IsInUse(setting, light) && IsOnTheWay(light, *record) ? 0.0
+                                                                      : record->Drift;
       verdict.IsRight = isOfThis &&
         vtkshadows::IsWithin(this->Budget, record->Error, verdict.Soft,
           this->MarginOf(setting, light, *record, drift));

@@ -102,6 +102,7 @@ private:
   bool IsInUse(const Setting& setting, const ChosenLight& light) const;
   double MarginOf(const Setting& setting, const ChosenLight& light,
     const vtkShadowMeasuredErrors::Record& record, double drift) const;
+  static bool IsOnTheWay(const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record);
   void NoteRefusals();
   std::vector<Setting> JudgeSettings(const Request& request);
   std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
