@@ -9,9 +9,6 @@ namespace vtkshadows
 namespace
 {
 
-// Times the ray epsilon at which a truth that hangs on it changes.
-constexpr double FartherOff = 4.0;
-
 // A number from 0 to 1 that looks like one by lot, of each pixel its own.
 double LotOf(std::size_t pixel)
 {
@@ -67,7 +64,6 @@ bool AdaptiveTruth::Begin(const Settings& settings, std::vector<PixelRole> roles
   this->Truth.assign(pixels, 1.0f);
   this->IsFine.assign(pixels, 0);
   this->IsSample.assign(pixels, 0);
-  this->FinePixels = 0;
 
   std::vector<unsigned char> which(pixels);
   std::transform(this->Roles.begin(), this->Roles.end(), which.begin(),
@@ -97,7 +93,7 @@ bool AdaptiveTruth::Begin(const Settings& settings, std::vector<PixelRole> roles
 bool AdaptiveTruth::TraceFinely(const std::vector<unsigned char>& which)
 {
   std::vector<float> farther(which.size(), 1.0f);
-  if (!this->Tracer(this->With.coarse, FartherOff, which, farther))
+  if (!this->Tracer(this->With.coarse, FartherEpsilonScale, which, farther))
   {
     return false;
   }
@@ -105,7 +101,6 @@ bool AdaptiveTruth::TraceFinely(const std::vector<unsigned char>& which)
   {
     if (which[i])
     {
-      this->FinePixels += !this->IsFine[i];
       this->IsFine[i] = 1;
       this->Roles[i] =
         std::abs(this->Truth[i] - farther[i]) > 0.5f ? PixelRole::Uncertain : PixelRole::Measured;
@@ -114,15 +109,19 @@ bool AdaptiveTruth::TraceFinely(const std::vector<unsigned char>& which)
   return this->Tracer(this->With.fine, 1.0, which, this->Truth);
 }
 
-VisibilityImages AdaptiveTruth::ImagesOf(
-  const std::vector<float>& visibility, const std::vector<PixelRole>& roles) const
+std::size_t AdaptiveTruth::GetFinePixels() const
+{
+  return std::count(this->IsFine.begin(), this->IsFine.end(), 1);
+}
+
+VisibilityImages AdaptiveTruth::ImagesOf(const std::vector<float>& visibility) const
 {
   VisibilityImages images;
   images.width = this->With.width;
   images.height = this->With.height;
   images.visibility = visibility.data();
   images.truth = this->Truth.data();
-  images.role = roles.data();
+  images.role = this->Roles.data();
   return images;
 }
 
@@ -130,8 +129,9 @@ VisibilityImages AdaptiveTruth::ImagesOf(
 bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityError& error)
 {
   // What seems gross and is not known finely; of many, some that stand for them.
+  const VisibilityImages images = this->ImagesOf(visibility);
   std::vector<PixelVerdict> verdicts;
-  MeasureVisibility(this->ImagesOf(visibility, this->Roles), this->With.edgeDistance, &verdicts);
+  VisibilityError all = MeasureVisibility(images, this->With.edgeDistance, &verdicts);
   std::vector<std::size_t> suspects;
   for (std::size_t i = 0; i < verdicts.size(); ++i)
   {
@@ -146,13 +146,14 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
   {
     which[suspects[k]] = 1;
   }
-  if (!suspects.empty() && !this->TraceFinely(which))
+  if (!suspects.empty())
   {
-    return false;
+    if (!this->TraceFinely(which))
+    {
+      return false;
+    }
+    all = MeasureVisibility(images, this->With.edgeDistance, &verdicts);
   }
-
-  const VisibilityError all =
-    MeasureVisibility(this->ImagesOf(visibility, this->Roles), this->With.edgeDistance, &verdicts);
   std::size_t checked = 0, wrong = 0, unchecked = 0;
   for (const std::size_t i : suspects)
   {
@@ -161,7 +162,6 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
     unchecked += !which[i] && IsGrossVerdict(verdicts[i]);
   }
   const double wrongShare = checked > 0 ? static_cast<double>(wrong) / checked : 1.0;
-
   const double refuted = (1.0 - wrongShare) * static_cast<double>(unchecked);
   const double gross = static_cast<double>(all.GrossPixels());
   const double kept = gross > 0.0 ? std::max(gross - refuted, 0.0) / gross : 0.0;

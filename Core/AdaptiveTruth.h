@@ -1,6 +1,6 @@
 // The truth of a light with a radius, traced only as finely as telling an error needs: a few rays
-// at every pixel, many at some of those in or beside a penumbra, and many wherever a technique
-// seems to be grossly wrong. Plain C++, no VTK, no OpenGL.
+// at every pixel, many at some of them, most of which lie in or beside a penumbra, and many
+// wherever a technique seems to be grossly wrong. Plain C++, no VTK, no OpenGL.
 #ifndef vtkshadows_AdaptiveTruth_h
 #define vtkshadows_AdaptiveTruth_h
 
@@ -44,13 +44,12 @@ public:
   bool Measure(const std::vector<float>& visibility, VisibilityError& error);
 
   // For tests: pixels that many rays were traced from.
-  std::size_t GetFinePixels() const { return this->FinePixels; }
+  std::size_t GetFinePixels() const;
 
 private:
   bool TraceFinely(const std::vector<unsigned char>& which);
   VisibilityError DifferencesOf(const std::vector<float>& visibility) const;
-  VisibilityImages ImagesOf(
-    const std::vector<float>& visibility, const std::vector<PixelRole>& roles) const;
+  VisibilityImages ImagesOf(const std::vector<float>& visibility) const;
 
   Settings With;
   Trace Tracer;
@@ -59,7 +58,6 @@ private:
   std::vector<unsigned char> IsPartial; // or beside what seems so
   std::vector<unsigned char> IsSample;
   std::vector<unsigned char> IsFine;
-  std::size_t FinePixels = 0;
 };
 
 }

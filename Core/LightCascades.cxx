@@ -325,13 +325,10 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
   {
     everyone.Add(receiver);
   }
-  const auto texelOf = [&](double from, double to)
-  { return 2.0 * (1.0 + GuardBand) * BallOfSlice(from, to, cone.angle).radius / texels; };
-  const auto sidesOf = [&](double from, double to)
-  {
-    return Rounded(texelOf(from, to)) *
-      SharesOfBall(result.lightFromWorld, BallOfSlice(from, to, cone.angle).radius, everyone);
-  };
+  const auto texelOf = [&](const SliceBall& ball)
+  { return 2.0 * (1.0 + GuardBand) * ball.radius / texels; };
+  const auto sidesOf = [&](const SliceBall& ball)
+  { return Rounded(texelOf(ball)) * SharesOfBall(result.lightFromWorld, ball.radius, everyone); };
   double nearest = 0.0, farthest = 0.0;
   DistancesFrom(cone.tipWC, receivers, nearest, farthest);
   const double end = std::min(StepAbove(farthest, StepsOfEnds), settings.farthest);
@@ -347,13 +344,16 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
     return CascadeReaches(std::clamp(useful, 1, settings.count), std::min(StepBelow(nearest), last),
       last, settings.scheme, settings.weight);
   };
-  const auto startOf = [&](const std::vector<double>& reaches, int i)
-  { return i == 0 ? 0.0 : reaches[i - 1] * (1.0 - settings.blend); };
+  const auto ballOf = [&](const std::vector<double>& reaches, std::size_t i)
+  {
+    const double from = i == 0 ? 0.0 : reaches[i - 1] * (1.0 - settings.blend);
+    return BallOfSlice(from, reaches[i], cone.angle);
+  };
 
   // The last one follows the eye, too, if that makes its texels worth it. Else cascades go as far
   // as they pay: beyond that the view of the whole scene has finer texels, or there is nothing.
   std::vector<double> reaches = reachesTo(end);
-  const glm::dvec3 lastSides = sidesOf(startOf(reaches, static_cast<int>(reaches.size()) - 1), end);
+  const glm::dvec3 lastSides = sidesOf(ballOf(reaches, reaches.size() - 1));
   const glm::dvec2 wholeSides = 2.0 /
     (static_cast<double>(resolution) *
       glm::dvec2(whole.clipFromView[0][0], whole.clipFromView[1][1]));
@@ -361,7 +361,8 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
     wholeSides.x * wholeSides.y < GainByFollowing * GainByFollowing * lastSides.x * lastSides.y;
   if (endsInWhole)
   {
-    const double last = std::min(wholeTexel / texelOf(0.0, 1.0), end); // where both are as fine
+    // Where both are as fine.
+    const double last = std::min(wholeTexel / texelOf(BallOfSlice(0.0, 1.0, cone.angle)), end);
     if (!(last >= WorthwhileGain * nearest))
     {
       return onlyWhole();
@@ -386,11 +387,10 @@ LightCascades FitLightCascades(const ShadowLight& light, const LightView& whole,
       result.cascades.push_back(WholeScene(whole, casters.size(), wholeTexel));
       break;
     }
-    const double from = startOf(reaches, i);
-    const SliceBall ball = BallOfSlice(from, reaches[i], cone.angle);
+    const SliceBall ball = ballOf(reaches, i);
     Cascade cascade;
     cascade.followsEye = true;
-    cascade.sides = sidesOf(from, reaches[i]);
+    cascade.sides = sidesOf(ball);
     cascade.reach = i == count - 1 ? Infinity : reaches[i];
     const LightBounds held = BoundsInBall(
       result.lightFromWorld, cone.tipWC + ball.centre * cone.axisWC, ball.radius, everyone);

@@ -20,6 +20,9 @@ enum class PixelRole : std::uint8_t
   Measured = 3
 };
 
+// Times the ray epsilon: a truth that is another one from there on is uncertain.
+constexpr double FartherEpsilonScale = 4.0;
+
 // Images are width*height, row by row, all with the same origin.
 struct VisibilityImages
 {

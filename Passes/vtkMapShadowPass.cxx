@@ -40,9 +40,8 @@ vtkshadows::CascadeEye EyeOf(const vtkShadowFrame& frame, vtkCamera* camera)
   eye.clipFromView = frame.ClipFromView;
   if (camera)
   {
-    eye.viewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
-    eye.clipFromView = vtkShadowMatrix::ToGlm(
-      camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
+    eye.viewFromWorld = vtkShadowMatrix::ViewFromWorld(camera);
+    eye.clipFromView = vtkShadowMatrix::ClipFromView(camera, frame.Renderer);
   }
   return eye;
 }

@@ -128,11 +128,7 @@ void vtkShadowErrorMeasure::Evaluate()
       roles[i] = vtkshadows::PixelRole::Uncertain;
     }
   }
-  vtkshadows::VisibilityImages images;
-  images.width = measured.Size[0];
-  images.height = measured.Size[1];
-  images.visibility = measured.Visibility.data();
-  images.truth = measured.Truth.data();
+  vtkshadows::VisibilityImages images = measured.Images();
   images.role = roles.data();
   std::vector<vtkshadows::PixelVerdict> verdicts;
   const vtkshadows::VisibilityError error = vtkshadows::MeasureVisibility(images, 2.0, &verdicts);

@@ -2,7 +2,9 @@
 #ifndef vtkShadowMatrix_h
 #define vtkShadowMatrix_h
 
+#include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
@@ -34,6 +36,17 @@ inline void ToVtk(const glm::dmat4& m, vtkMatrix4x4* out)
       out->SetElement(row, column, m[column][row]);
     }
   }
+}
+
+// What a camera sees, and by a renderer's window what of it: OpenGL clip space, z in -w..w.
+inline glm::dmat4 ViewFromWorld(vtkCamera* camera)
+{
+  return ToGlm(camera->GetModelViewTransformMatrix());
+}
+
+inline glm::dmat4 ClipFromView(vtkCamera* camera, vtkRenderer* renderer)
+{
+  return ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
 }
 
 // From the clip space of a view to a map of width x height texels, its depth from 0 to 1.

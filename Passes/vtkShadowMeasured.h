@@ -14,6 +14,18 @@ struct vtkShadowPass::Measured
   std::vector<float> Visibility;
   std::vector<float> Truth;
   std::vector<vtkshadows::PixelRole> Roles;
+
+  // As long as these stay as they are.
+  vtkshadows::VisibilityImages Images() const
+  {
+    vtkshadows::VisibilityImages images;
+    images.width = this->Size[0];
+    images.height = this->Size[1];
+    images.visibility = this->Visibility.data();
+    images.truth = this->Truth.data();
+    images.role = this->Roles.data();
+    return images;
+  }
 };
 
 #endif

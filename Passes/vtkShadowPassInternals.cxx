@@ -69,9 +69,8 @@ vtkShadowFrame vtkShadowPass::Internals::FrameOf(const vtkRenderState* s)
   }
   frame.HasDelegate = this->Delegate != nullptr;
   vtkCamera* camera = frame.Renderer->GetActiveCamera();
-  frame.ViewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
-  frame.ClipFromView = vtkShadowMatrix::ToGlm(
-    camera->GetProjectionTransformMatrix(frame.Renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  frame.ViewFromWorld = vtkShadowMatrix::ViewFromWorld(camera);
+  frame.ClipFromView = vtkShadowMatrix::ClipFromView(camera, frame.Renderer);
   TellOfCopiedCamera(frame);
   return frame;
 }

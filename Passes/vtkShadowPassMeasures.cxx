@@ -77,13 +77,7 @@ bool vtkShadowPass::Internals::MeasureError(
   {
     return false;
   }
-  vtkshadows::VisibilityImages images;
-  images.width = view.Size[0];
-  images.height = view.Size[1];
-  images.visibility = measured.Visibility.data();
-  images.truth = measured.Truth.data();
-  images.role = measured.Roles.data();
-  error = vtkshadows::MeasureVisibility(images, GrossDistance * view.Scale);
+  error = vtkshadows::MeasureVisibility(measured.Images(), GrossDistance * view.Scale);
   return true;
 }
 

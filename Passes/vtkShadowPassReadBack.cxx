@@ -239,8 +239,8 @@ bool vtkShadowPass::Internals::TraceTruth(const vtkShadowFrame& frame,
   std::vector<float> nearby;
   if (!this->FindRoles(frame, receivers, light, measured.Roles) ||
     !reference->TraceVisibility(frame, receivers, ray, 1.0, samples, measured.Truth) ||
-    !reference->TraceVisibility(
-      frame, receivers, ray, 4.0, std::min(samples, SamplesOfUncertainty), nearby))
+    !reference->TraceVisibility(frame, receivers, ray, vtkshadows::FartherEpsilonScale,
+      std::min(samples, SamplesOfUncertainty), nearby))
   {
     return false;
   }

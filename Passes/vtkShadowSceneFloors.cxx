@@ -77,9 +77,8 @@ struct Surroundings
 vtkshadows::PixelView ViewOf(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  const glm::dmat4 viewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
-  const glm::dmat4 clipFromView = vtkShadowMatrix::ToGlm(
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const glm::dmat4 viewFromWorld = vtkShadowMatrix::ViewFromWorld(camera);
+  const glm::dmat4 clipFromView = vtkShadowMatrix::ClipFromView(camera, renderer);
   const glm::dmat4 worldFromView = glm::inverse(viewFromWorld);
   const int* size = renderer->GetRenderWindow() ? renderer->GetSize() : nullptr;
   return { clipFromView * viewFromWorld,

@@ -46,7 +46,7 @@ void vtkShadowScene::Internals::GatherLights(vtkRenderer* renderer)
 {
   this->Lights.clear();
   vtkCamera* camera = renderer->GetActiveCamera();
-  const glm::dmat4 viewFromWorld = vtkShadowMatrix::ToGlm(camera->GetModelViewTransformMatrix());
+  const glm::dmat4 viewFromWorld = vtkShadowMatrix::ViewFromWorld(camera);
   const glm::dvec3 eyeWC(glm::inverse(viewFromWorld)[3]);
   const double sameAsEye =
     std::max(SameAsEye(renderer), std::ldexp(glm::length(eyeWC), -40)); // or is, to rounding
