@@ -16,9 +16,11 @@ constexpr int FramesBefore = 1;
 constexpr int FramesCounted = 3;
 // Rows of such frames, and times the fastest from which on a way has lost after one.
 constexpr int MostRows = 2;
-constexpr double HasLost = 1.6;
+constexpr double LosingRatio = 1.6;
 // Times the fastest from which on the first frame that is timed ends a row: its way has lost.
-constexpr double HasLostAtOnce = 2.0;
+constexpr double LosingRatioAtOnce = 2.0;
+// The same for one that is known to take so long at least, and need not be drawn for it.
+constexpr double LosingRatioUnseen = 2.0;
 // How much faster a way must be than one that is expected to cost less, or that is in use.
 constexpr double ClearlyFaster = 0.95;
 // A way expected to cost more than this times the fastest is not tried.
@@ -33,7 +35,6 @@ constexpr std::size_t MostPastWays = 32;
 }
 
 //------------------------------------------------------------------------------
-// Of the ways that were timed.
 double FrameTrials::LeastSeconds() const
 {
   double least = std::numeric_limits<double>::infinity();
@@ -72,8 +73,8 @@ bool FrameTrials::IsDone(std::size_t way) const
   }
   // What was expected to be no dearer than the fastest has another chance: the machine may have
   // been busy. How far a time is within a limit does not matter.
-  const bool hasLost = timing.seconds > HasLost * std::max(this->LeastSeconds(), limit);
-  return HasLost * timing.seconds < limit ||
+  const bool hasLost = timing.seconds > LosingRatio * std::max(this->LeastSeconds(), limit);
+  return LosingRatio * timing.seconds < limit ||
     (hasLost && (byAccuracy || this->Ways[way].cost > this->CostOfFastest()));
 }
 
@@ -156,7 +157,25 @@ std::optional<double> FrameTrials::SecondsOf(std::size_t way) const
 bool FrameTrials::IsPromising(std::size_t way) const
 {
   return this->Ways[way].isRight &&
-    (this->Timings[way].rows > 0 || this->Ways[way].cost <= NotPromising * this->CostOfFastest());
+    (this->Timings[way].rows > 0 ||
+      (this->Ways[way].cost <= NotPromising * this->CostOfFastest() &&
+        !this->HasLost(this->Ways[way].atLeast)));
+}
+
+bool FrameTrials::HasLost(double seconds) const
+{
+  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  return seconds > LosingRatioUnseen * this->LeastSeconds() &&
+    (!byAccuracy || seconds > *this->Budget.maximumSeconds);
+}
+
+void FrameTrials::SetTimesOnlyWay(bool times)
+{
+  if (times && !this->TimesOnlyWay && this->Ways.size() == 1 && this->Timings[0].rows == 0)
+  {
+    this->Settled = false;
+  }
+  this->TimesOnlyWay = times;
 }
 
 //------------------------------------------------------------------------------
@@ -206,7 +225,8 @@ void FrameTrials::Advance()
     return;
   }
   // What is the only way need not be timed.
-  const bool isOnly = this->Ways.size() == 1 && !this->Budget.maximumSeconds;
+  const bool isOnly = this->Ways.size() == 1 && !this->Budget.maximumSeconds &&
+    (!this->TimesOnlyWay || this->Timings[0].rows > 0);
   std::optional<std::size_t> next;
   for (std::size_t i = 0; !isOnly && i < this->Ways.size(); ++i)
   {
@@ -296,7 +316,7 @@ void FrameTrials::FrameDrawn(std::optional<double> seconds)
   {
     timing.seconds = timing.seconds > 0.0 ? std::min(timing.seconds, *seconds) : *seconds;
     ++timing.timed;
-    const bool hasLost = timing.rows == 0 && *seconds > HasLostAtOnce * this->LeastSeconds();
+    const bool hasLost = timing.rows == 0 && *seconds > LosingRatioAtOnce * this->LeastSeconds();
     if (timing.timed >= FramesCounted || hasLost)
     {
       ++timing.rows;

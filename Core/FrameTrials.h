@@ -20,6 +20,7 @@ struct FrameWay
   double error = 0.0;  // percent, the worst of the lights; of exact ones 0
   bool isRight = true; // every light within the budget
   double cost = 0.0;   // expected, in frames without shadows: for the order, and until it is timed
+  double atLeast = 0.0; // seconds that it is known to take at least
 };
 
 // Which of several ways the coming frame is drawn by. The cheapest to be expected is first; each of
@@ -34,6 +35,8 @@ public:
   void SetWays(const std::vector<FrameWay>& ways, const ShadowBudget& budget);
   // Forget all times.
   void Restart();
+  // Whether the fastest is to be timed though it is the only way.
+  void SetTimesOnlyWay(bool times);
 
   std::size_t Current() const { return this->Chosen; }
   const FrameWay& Way() const { return this->Ways[this->Chosen]; }
@@ -44,6 +47,11 @@ public:
   bool IsSettled() const { return this->Settled; }
   // The least that was timed.
   std::optional<double> SecondsOf(std::size_t way) const;
+  // Of the ways that were timed; infinite, if none was.
+  double LeastSeconds() const;
+  // Whether what takes so long at least has lost already: against the fastest that was timed, or,
+  // with a budget of time alone, against that.
+  bool HasLost(double seconds) const;
   const std::vector<FrameWay>& GetWays() const { return this->Ways; }
 
 private:
@@ -55,7 +63,6 @@ private:
     double seconds = 0.0;
   };
   bool IsDone(std::size_t way) const;
-  double LeastSeconds() const;
   double CostOfFastest() const;
   bool IsPromising(std::size_t way) const;
   std::size_t Best() const;
@@ -69,6 +76,7 @@ private:
   std::size_t Chosen = 0;
   std::vector<ShadowSetting> InUse; // what was settled on last
   bool Settled = false;
+  bool TimesOnlyWay = false;
   int SinceSettled = 0; // frames
   int Strange = 0;      // timed frames in a row that took far longer or shorter
 };

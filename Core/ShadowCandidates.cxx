@@ -21,17 +21,9 @@ int RankOf(const std::string& filter)
   return filter == "percentage-closer" ? 0 : filter == "exact" ? 1 : -1;
 }
 
-ShadowSetting By(const char* technique, int samples = 0)
-{
-  ShadowSetting setting;
-  setting.technique = technique;
-  setting.samples = samples;
-  return setting;
-}
-
 ShadowSetting Map(int texels, int cascades, const char* filter, int samples = 0)
 {
-  ShadowSetting setting = By("depth-map", samples);
+  ShadowSetting setting = ShadowSetting::By("depth-map", samples);
   setting.resolution = texels;
   setting.cascades = cascades;
   setting.filter = filter;
@@ -49,12 +41,12 @@ std::vector<ShadowSetting> CandidateSettings(const CandidateScope& scope, const 
   {
     if (!scope.anySoft)
     {
-      settings.push_back(By(technique));
+      settings.push_back(ShadowSetting::By(technique));
       return;
     }
     for (const int count : isMeasured ? samples : std::vector<int>{ usual })
     {
-      settings.push_back(By(technique, count));
+      settings.push_back(ShadowSetting::By(technique, count));
     }
   };
   add("planar", { 8, 16, 32, 64 }, UsualPlanarSamples);
@@ -62,7 +54,7 @@ std::vector<ShadowSetting> CandidateSettings(const CandidateScope& scope, const 
   add("ray-cast", { 4, 8, 16, 32, 64 }, UsualRaySamples);
   if (scope.anyTextured && !scope.anySoft)
   {
-    ShadowSetting textured = By("planar");
+    ShadowSetting textured = ShadowSetting::By("planar");
     textured.resolution = UsualPlanarTexels;
     settings.push_back(textured);
   }

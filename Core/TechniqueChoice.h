@@ -21,6 +21,13 @@ struct ShadowSetting
   std::string filter; // of a depth map
   int samples = 0;    // lights that stand for one with a radius; 0: not its own to choose
 
+  static ShadowSetting By(const std::string& technique, int samples = 0)
+  {
+    ShadowSetting setting;
+    setting.technique = technique;
+    setting.samples = samples;
+    return setting;
+  }
   bool IsMap() const { return this->technique == "depth-map"; }
   bool IsSampled() const { return this->samples > 0; }
   // "depth-map (2048 texels, 4 cascades, filter exact)", "ray-cast (16 samples)"

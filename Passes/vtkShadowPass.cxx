@@ -60,13 +60,6 @@ void DrawBlendingInPlace(const vtkRenderState* s)
   std::for_each(begin, end, [&](vtkProp* prop) { prop->RenderOverlay(renderer); });
 }
 
-// By the clock, once OpenGL has worked off all that it was given.
-double SecondsOnceDrawn()
-{
-  glFinish();
-  return vtkShadowSeconds();
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +130,7 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   vtkShadowStageClock& clock = this->Internal->Clock;
   clock.BeginFrame(this->Internal->TimeStages);
   const bool isTimed = this->Internal->Chooser.WantsTime();
-  const double start = isTimed ? SecondsOnceDrawn() : 0.0;
+  const double start = isTimed ? vtkShadowSecondsOnceDrawn() : 0.0;
   const bool shadowed = !renderer->GetSelector() && this->Internal->Begin(frame, true, false);
   this->Internal->CulledReceivers =
     shadowed ? this->Internal->Shading->GetNumberOfCulledReceivers() : 0;
@@ -164,7 +157,7 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   if (!renderer->GetSelector() && !this->Internal->Shading->IsCullingUndecided())
   {
     this->Internal->Chooser.FrameDrawn(
-      isTimed ? std::optional<double>(SecondsOnceDrawn() - start) : std::nullopt);
+      isTimed ? std::optional<double>(vtkShadowSecondsOnceDrawn() - start) : std::nullopt);
   }
   if (shadowed)
   {

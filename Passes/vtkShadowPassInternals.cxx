@@ -195,7 +195,8 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
   // and all of these, for what hangs on a few.
   std::map<std::pair<bool, bool>, MeasuredView> views;
   request.MeasureErrors = [&](const std::string& name, const std::vector<int>& measured,
-                            std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
+                            std::vector<std::optional<vtkshadows::ErrorPercents>>& errors,
+                            double& drawingSeconds)
   {
     const auto measure = [&](bool allPixels)
     {
@@ -207,7 +208,7 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
           allPixels ? MostMeasuredPixels : this->PixelsToMeasure(lights), allDrawn);
       }
       errors.clear();
-      return this->MeasureErrors(view->second, plan, name, measured, errors);
+      return this->MeasureErrors(view->second, plan, name, measured, errors, drawingSeconds);
     };
     const auto isUnclear = [](const std::optional<vtkshadows::ErrorPercents>& error)
     { return error && vtkshadows::HangsOnFewPixels(*error); };
@@ -248,6 +249,7 @@ void vtkShadowPass::Internals::ReleaseWhatWasTried(vtkWindow* window)
       if (!isNamed && !this->Chooser.MayUse(name))
       {
         technique->ReleaseGraphicsResources(window);
+        this->Chooser.NoteReleased(name);
       }
     }
   }

@@ -218,7 +218,7 @@ public:
     MeasuredView& view, const vtkShadowFrame& frame, double mostPixels, bool allDrawn);
   bool MeasureErrors(MeasuredView& view, const std::vector<vtkShadowedShadingPass::LightPlan>& plan,
     const std::string& name, const std::vector<int>& lights,
-    std::vector<std::optional<vtkshadows::ErrorPercents>>& errors);
+    std::vector<std::optional<vtkshadows::ErrorPercents>>& errors, double& drawingSeconds);
   bool MeasureError(MeasuredView& view, int light, vtkshadows::VisibilityError& error);
   bool MeasureSoftError(MeasuredView& view, int light, vtkshadows::VisibilityError& error);
   bool FindRoles(const vtkShadowFrame& frame, vtkShadowReceiverBuffer& receivers, int light,

@@ -3,6 +3,7 @@
 #include "vtkShadowPassInternals.h"
 
 #include "ShadowCandidates.h"
+#include "vtkShadowSeconds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +128,8 @@ bool vtkShadowPass::Internals::MeasureSoftError(
 // Hold what a technique makes of `lights`, as it is set, against the truth, in this view.
 bool vtkShadowPass::Internals::MeasureErrors(MeasuredView& view,
   const std::vector<vtkShadowedShadingPass::LightPlan>& plan, const std::string& name,
-  const std::vector<int>& lights, std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)
+  const std::vector<int>& lights, std::vector<std::optional<vtkshadows::ErrorPercents>>& errors,
+  double& drawingSeconds)
 {
 #ifdef VTKSHADOWS_WITH_EMBREE
   vtkShadowTechniquePass* technique = this->Find(name);
@@ -148,7 +150,9 @@ bool vtkShadowPass::Internals::MeasureErrors(MeasuredView& view,
   this->Shading->SetPlan(measuredPlan);
   this->Shading->Attach(frame);
   view.Receivers.Invalidate();
+  const double start = vtkShadowSecondsOnceDrawn();
   bool done = technique->UpdateVisibility(frame, lights);
+  drawingSeconds = std::max(drawingSeconds, vtkShadowSecondsOnceDrawn() - start);
   this->Shading->ActivateTextures();
   for (std::size_t i = 0; done && i < lights.size(); ++i)
   {

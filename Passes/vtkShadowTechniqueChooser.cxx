@@ -21,7 +21,6 @@ using vtkshadows::ShadowSetting;
 using vtkshadows::Standing;
 
 const char* const Maps = "depth-map";
-const char* const ExactTechniques[] = { "planar", "stencil-volume", "ray-cast" };
 
 constexpr double ReachOfCascades = 0.3;
 constexpr int FacesOfCube = 6;
@@ -29,28 +28,8 @@ constexpr int FacesOfCube = 6;
 // Above this many triangles no tree is built only to measure, unless a budget of error asks for it.
 constexpr double MostTrianglesMeasured = 5.0e6;
 
-// Drift (vtkShadowMeasuredErrors) from which on a picture is another one, and up to which it is the
-// same; and how many times as long as a measure took is waited for the next between the two.
-constexpr double OtherPicture = 0.3;
-constexpr double SamePicture = 0.02;
-// Drift of one frame up to which the eye goes rather than jumps, and waits for a measure of another
-// picture, too: that many times as long as one took. Amid what receives each step is such a one.
-constexpr double OneStep = 1.0;
-constexpr double MeasuringShareOnTheWay = 8.0;
-constexpr double MeasuringShare = 20.0;
-// The same for each setting that is not in use, as long as what is serves and something moves.
-constexpr double MeasuringShareOfOthers = 100.0;
 // Seconds between two frames that may be a pause between two motions.
 constexpr double ShortestPause = 0.1;
-// A setting expected to cost this many times the cheapest that is right is not measured.
-constexpr double NotPromising = 4.0;
-// Times what was measured that an error may be at once, and of what was drawn by and found wrong.
-constexpr double Margin = 1.05;
-constexpr double MarginOfRefused = 1.25;
-
-// What an error counts as at least that was measured, percent: less is not told from none.
-constexpr double LeastMeasured = 1.0e-4;
-
 // Frames in a row that move, or that do not, before the choice is that of the other.
 constexpr int FramesOfMotion = 2;
 // What a change of casters counts as drift, by itself and in a motion.
@@ -59,13 +38,6 @@ constexpr double DriftOfMotion = 0.02;
 
 // Times the triangles, pixels or lights that times of frames hold for.
 constexpr double OtherScene = 1.5;
-
-ShadowSetting Exactly(const char* technique)
-{
-  ShadowSetting setting;
-  setting.technique = technique;
-  return setting;
-}
 
 bool IsSameLight(const vtkshadows::ShadowLight& a, const vtkshadows::ShadowLight& b)
 {
@@ -78,15 +50,6 @@ double DistanceTo(const vtkshadows::Box& box, const glm::dvec3& p)
   return glm::length(glm::max(glm::max(box.minimum - p, p - box.maximum), glm::dvec3(0.0)));
 }
 
-}
-
-//------------------------------------------------------------------------------
-double vtkShadowTechniqueChooser::Verdict::Figure() const
-{
-  // One without an error that was found is not yet exact.
-  return this->Standing.kind == Standing::Exact ? 0.0
-    : this->Error                               ? this->Error->Figure(this->Soft) + LeastMeasured
-                                                : 100.0;
 }
 
 //------------------------------------------------------------------------------
@@ -267,271 +230,6 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::SettingsToTry(const Reques
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowTechniqueChooser::IsInUse(const Setting& setting, const ChosenLight& light) const
-{
-  const auto known = this->InUse.find(light.Source);
-  return known != this->InUse.end() && known->second == setting;
-}
-
-// Times the error of a record that it may be after a drift.
-double vtkShadowTechniqueChooser::MarginOf(const Setting& setting, const ChosenLight& light,
-  const vtkShadowMeasuredErrors::Record& record, double drift) const
-{
-  return (record.WasRefused && !this->IsInUse(setting, light) ? MarginOfRefused : Margin) +
-    record.Rate * drift;
-}
-
-// What the last frame was drawn by and this one may not be, so that it does not come and go.
-void vtkShadowTechniqueChooser::NoteRefusals()
-{
-  for (std::size_t i = 0; i < this->Chosen.size(); ++i)
-  {
-    const auto used = this->InUse.find(this->Chosen[i].Source);
-    const auto known =
-      used == this->InUse.end() ? this->Verdicts.end() : this->Verdicts.find(used->second.Text());
-    if (known != this->Verdicts.end() && !known->second[i].IsRight)
-    {
-      this->Errors.Refuse(used->second, this->Chosen[i].Now);
-    }
-  }
-}
-
-void vtkShadowTechniqueChooser::SetBudget(const vtkshadows::ShadowBudget& budget)
-{
-  this->Budget = budget;
-  this->Errors.ForgiveAll();
-}
-
-// Whether the eye goes by steps, and the next measure of what is in use waits.
-bool vtkShadowTechniqueChooser::IsOnTheWay(
-  const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record)
-{
-  return light.Step > 0.0 && light.Step <= OneStep &&
-    record.Elapsed < MeasuringShareOnTheWay * record.Cost;
-}
-
-// What is urgent may be needed for this frame.
-bool vtkShadowTechniqueChooser::NeedsMeasure(
-  const Setting& setting, const ChosenLight& light, bool isUrgent) const
-{
-  const auto record = this->Errors.Find(setting, light.Now);
-  if (!record)
-  {
-    return true;
-  }
-  if (!isUrgent)
-  {
-    const bool isAtRest = light.Step == 0.0 && !this->IsMoving;
-    const double share = isAtRest ? MeasuringShare : MeasuringShareOfOthers;
-    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost;
-  }
-  const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
-  const bool soft = light.Needs.isSoft;
-  if (!vtkshadows::IsWithin(
-        this->Budget, record->Error, soft, this->MarginOf(setting, light, *record, 0.0)))
-  {
-    return record->Drift > OtherPicture && !mayWait;
-  }
-  const bool isOnTheWay = IsOnTheWay(light, *record);
-  const bool isClose = !vtkshadows::IsWithin(
-    this->Budget, record->Error, soft, this->MarginOf(setting, light, *record, record->Drift));
-  if (this->IsMoving)
-  {
-    return (isClose || record->Drift > SamePicture) && !mayWait;
-  }
-  return ((isClose || record->Drift > OtherPicture) && !isOnTheWay) ||
-    (record->Drift > SamePicture && !mayWait);
-}
-
-//------------------------------------------------------------------------------
-// Whether anything was measured.
-bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting& setting,
-  const std::function<bool(const ChosenLight&)>& isUrgent)
-{
-  std::vector<int> indices;
-  for (const ChosenLight& light : this->Chosen)
-  {
-    if (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
-      this->NeedsMeasure(setting, light, isUrgent(light)))
-    {
-      indices.push_back(light.Index);
-    }
-  }
-  if (indices.empty() || !request.MeasureErrors)
-  {
-    return false;
-  }
-  this->Settings.Apply(setting);
-  const double start = vtkShadowSeconds();
-  std::vector<std::optional<vtkshadows::ErrorPercents>> errors;
-  if (request.MeasureErrors(setting.technique, indices, errors))
-  {
-    const double cost = vtkShadowSeconds() - start;
-    for (const ChosenLight& light : this->Chosen)
-    {
-      const auto found = std::find(indices.begin(), indices.end(), light.Index);
-      if (found != indices.end())
-      {
-        vtkshadows::ErrorPercents error =
-          errors[found - indices.begin()].value_or(vtkshadows::ErrorPercents::OfNothing());
-        error.isBySampleLights = setting.IsSampled();
-        this->Errors.Keep(setting, light.Now, error, cost);
-      }
-    }
-  }
-  this->MeasuringSeconds += vtkShadowSeconds() - start;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
-  const Request& request, const Setting& setting, const ChosenLight& light) const
-{
-  Verdict verdict;
-  verdict.Soft = light.Needs.isSoft;
-  verdict.Standing = vtkshadows::StandingOf(setting, this->Scene, light.Needs);
-  if (verdict.Standing.kind == Standing::Measured)
-  {
-    if (const auto record = this->Errors.Find(setting, light.Now))
-    {
-      // Of another picture it says nothing, unless in a motion, where measures wait.
-      const bool isOfThis =
-        this->IsMoving || record->Drift <= OtherPicture || this->IsInUse(setting, light);
-      verdict.Error = isOfThis ? std::make_optional(record->Error) : std::nullopt;
-      // While a measure waits, what is in use is as it was measured last.
-      const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture)
-        : this->IsInUse(setting, light) && IsOnTheWay(light, *record) ? 0.0
-                                                                      : record->Drift;
-      verdict.IsRight = isOfThis &&
-        vtkshadows::IsWithin(this->Budget, record->Error, verdict.Soft,
-          this->MarginOf(setting, light, *record, drift));
-    }
-    else
-    {
-      verdict.Standing = { Standing::Assumed, "the driver gave no buffer to measure in" };
-    }
-  }
-  if (verdict.Standing.kind == Standing::Exact)
-  {
-    verdict.IsRight = true;
-  }
-  else if (verdict.Standing.kind == Standing::Assumed)
-  {
-    // Where nothing better is known it is what serves, no coarser than it is by itself.
-    const bool anyExact = std::any_of(std::begin(ExactTechniques), std::end(ExactTechniques),
-      [&](const char* name)
-      {
-        return vtkshadows::StandingOf(Exactly(name), this->Scene, light.Needs).kind ==
-          Standing::Exact;
-      });
-    const bool isFixed = request.Named.count(setting.technique) > 0;
-    const bool isFine = isFixed || setting.resolution == 0 ||
-      setting.resolution >= vtkshadows::UsualMapTexels ||
-      setting.resolution == this->Settings.OwnResolution(setting.technique);
-    const bool isSampled = isFixed || setting.samples == 0 ||
-      setting.samples >= this->Settings.OwnSamples(setting.technique);
-    verdict.IsRight = isFine && isSampled && (!anyExact || this->Scene.isTooLarge);
-  }
-  return verdict;
-}
-
-//------------------------------------------------------------------------------
-double vtkShadowTechniqueChooser::CostOf(const Setting& setting, const ChosenLight& light) const
-{
-  return vtkshadows::ExpectedCost(setting, this->Scene, light.Needs, this->IsMoving);
-}
-
-//------------------------------------------------------------------------------
-// Verdicts on all that may be of use: what is in use at first; then, the cheapest first, what may
-// be faster than what is right already.
-std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Request& request)
-{
-  const std::vector<ChosenLight>& lights = this->Chosen;
-  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
-  std::vector<Setting> candidates, right;
-  std::vector<bool> served(lights.size(), false);
-  double cheapest = std::numeric_limits<double>::infinity();
-  this->Verdicts.clear();
-  this->MeasuresWait = false;
-
-  const auto judge = [&](const Setting& setting)
-  {
-    std::vector<Verdict>& verdicts = this->Verdicts[setting.Text()];
-    double cost = 0.0;
-    bool isRight = true, anyFit = false;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-    {
-      verdicts.push_back(this->Judge(request, setting, lights[i]));
-      const Verdict& verdict = verdicts.back();
-      const bool isFit = verdict.Standing.kind != Standing::Unfit;
-      served[i] = served[i] || verdict.IsRight;
-      isRight = isRight && (verdict.IsRight || !isFit);
-      anyFit = anyFit || isFit;
-      cost += this->CostOf(setting, lights[i]);
-    }
-    candidates.push_back(setting);
-    if (isRight && anyFit)
-    {
-      right.push_back(setting);
-      cheapest = std::all_of(verdicts.begin(), verdicts.end(),
-                   [](const Verdict& verdict) { return verdict.IsRight; })
-        ? std::min(cheapest, cost)
-        : cheapest;
-    }
-    return cost;
-  };
-
-  const std::vector<Setting> settings = this->SettingsToTry(request);
-  for (const Setting& setting : settings)
-  {
-    const auto isInUse = [&](const ChosenLight& light) { return this->IsInUse(setting, light); };
-    if (std::any_of(lights.begin(), lights.end(), isInUse))
-    {
-      this->MeasureFor(request, setting, isInUse);
-      judge(setting);
-    }
-  }
-  bool hasMeasured = this->MeasuringSeconds > 0.0;
-  for (const Setting& setting : settings)
-  {
-    const auto covers = [&](const Setting& known)
-    { return vtkshadows::IsNoFaster(setting, known); };
-    double cost = 0.0;
-    bool isUnknown = false;
-    for (const ChosenLight& light : lights)
-    {
-      cost += this->CostOf(setting, light);
-      isUnknown = isUnknown ||
-        (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
-          !this->Errors.Find(setting, light.Now));
-    }
-    if (this->Verdicts.count(setting.Text()) > 0 ||
-      (!byAccuracy &&
-        (std::any_of(right.begin(), right.end(), covers) ||
-          (isUnknown && cost > NotPromising * cheapest))))
-    {
-      continue;
-    }
-    // Once something serves, the others are measured one a frame: those of which nothing is known
-    // in turn, the known ones once in a while.
-    const bool isServed = std::all_of(served.begin(), served.end(), [](bool is) { return is; });
-    if (!isServed || !hasMeasured)
-    {
-      const bool did =
-        this->MeasureFor(request, setting, [isServed](const ChosenLight&) { return !isServed; });
-      hasMeasured = hasMeasured || did;
-    }
-    else if (isUnknown)
-    {
-      this->MeasuresWait = true;
-      continue;
-    }
-    judge(setting);
-  }
-  return candidates;
-}
-
-//------------------------------------------------------------------------------
 // Each by one setting for as many lights as it is right for, the others by what else is right.
 std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
 {
@@ -562,7 +260,7 @@ std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
         best = &setting;
       }
     }
-    return best ? *best : Exactly("");
+    return best ? *best : Setting();
   };
 
   std::vector<FrameWay> ways;
@@ -579,6 +277,7 @@ std::vector<FrameWay> vtkShadowTechniqueChooser::WaysFor(const Request& request)
       isUsed = isUsed || own == setting;
       way.settings.push_back(own);
       way.cost += this->CostOf(own, lights[i]);
+      way.atLeast += this->SecondsAtLeast(own);
       way.error = std::max(way.error, verdict.Figure());
       way.isRight = way.isRight && verdict.IsRight;
     }
@@ -651,6 +350,8 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
   {
     this->Static.Restart();
     this->Moving.Restart();
+    this->StaticTimes.Forget();
+    this->MovingTimes.Forget();
     std::copy_n(counts, 3, this->TimedFor);
   }
   const std::vector<FrameWay> ways = this->WaysFor(request);

@@ -4,6 +4,7 @@
 #ifndef vtkShadowTechniqueChooser_h
 #define vtkShadowTechniqueChooser_h
 
+#include "DrawingTimes.h"
 #include "FrameTrials.h"
 #include "vtkShadowChosenSettings.h"
 #include "vtkShadowMeasuredErrors.h"
@@ -20,10 +21,10 @@ class vtkShadowTechniqueChooser
 {
 public:
   // Measures a technique, whose settings are applied already, for `lights` (indices into the
-  // scene's); one error a light, none where the light shines on nothing that could be measured.
-  // false if it cannot.
+  // scene's); one error a light, none where the light shines on nothing that could be measured; and
+  // the seconds that it drew their visibility in. false if it cannot.
   using Measure = std::function<bool(const std::string& technique, const std::vector<int>& lights,
-    std::vector<std::optional<vtkshadows::ErrorPercents>>& errors)>;
+    std::vector<std::optional<vtkshadows::ErrorPercents>>& errors, double& drawingSeconds)>;
 
   struct Request
   {
@@ -58,6 +59,8 @@ public:
   void SetHolds(bool holds) { this->Holds = holds; }
   bool GetHolds() const { return this->Holds; }
   void FrameDrawn(std::optional<double> seconds);
+  // A technique lost what it kept with the driver.
+  void NoteReleased(const std::string& technique);
   double SecondsMeasuring() const { return this->MeasuringSeconds; } // in the last Choose
   // Whether a choice that is made already, for lights that stand or that move, has a technique.
   bool MayUse(const std::string& technique) const;
@@ -98,6 +101,8 @@ private:
   Verdict Judge(const Request& request, const Setting& setting, const ChosenLight& light) const;
   bool MeasureFor(const Request& request, const Setting& setting,
     const std::function<bool(const ChosenLight&)>& isUrgent);
+  void NoteDrawing(const Setting& setting, double secondsOfLight);
+  double SecondsAtLeast(const Setting& setting) const;
   bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
   bool IsInUse(const Setting& setting, const ChosenLight& light) const;
   double MarginOf(const Setting& setting, const ChosenLight& light,
@@ -117,6 +122,8 @@ private:
   vtkShadowSceneNeeds Needs;
   vtkShadowMeasuredErrors Errors;
   vtkshadows::FrameTrials Static, Moving;
+  vtkshadows::DrawingTimes StaticTimes, MovingTimes;
+  std::map<std::string, vtkMTimeType> Made; // what casters were when a technique was made for them
 
   vtkshadows::SceneNeeds Scene;
   std::vector<ChosenLight> Chosen;     // of the last Choose, those that reach something

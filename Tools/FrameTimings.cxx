@@ -164,8 +164,6 @@ std::vector<StageTimings> TimeStages(Stage& stage, int frames)
   SamplesByStage still, moving;
   std::vector<std::string> names;
   stage.ShowShadows(true);
-  stage.Window().Render();
-  stage.Shadows()->SetTimeStages(true);
   for (int i = 0; i < frames; ++i)
   {
     motion.RestLights();

@@ -160,7 +160,9 @@ void BenchMeasurer::MeasureScene(const std::vector<const BenchRun*>& runs)
       this->Finish(*entrant);
       continue;
     }
-    entrant->isKept = kept + entrant->Memory() <= MostMemoryKept;
+    // "auto" would have to settle anew.
+    entrant->isKept =
+      run->setting.technique == "auto" || kept + entrant->Memory() <= MostMemoryKept;
     if (entrant->isKept)
     {
       kept += entrant->Memory();
@@ -280,13 +282,14 @@ void BenchMeasurer::Prepare(BenchEntrant& entrant)
   }
   const auto begin = std::chrono::steady_clock::now();
   entrant.Show();
-  this->stage.Window().Render();
   if (run.setting.technique == "auto")
   {
     row["explanations"] = this->ExplanationsOfChoice();
   }
-  row["culled_receivers"] =
-    entrant.Peer() ? 0 : this->stage.Shadows()->GetNumberOfCulledReceivers();
+  else if (!withErrors)
+  {
+    this->stage.Window().Render(); // else what errors are measured in warms up
+  }
   row["errors"] = withErrors ? this->ErrorsOf(entrant) : BenchJson::array();
 
   entrant.Show();
@@ -298,6 +301,8 @@ void BenchMeasurer::Prepare(BenchEntrant& entrant)
     frame = RenderMilliseconds(this->stage);
     work = clock.Seconds();
   }
+  row["culled_receivers"] =
+    entrant.Peer() ? 0 : this->stage.Shadows()->GetNumberOfCulledReceivers();
   const TimingPlan plan = BenchTiming(this->options);
   const bool isSlow = plan.rounds == 0 && run.setting.technique != "auto" && work > plan.seconds;
   if (isSlow)
