@@ -31,7 +31,7 @@ public:
     int fine = 256;             // rays where it is partial
     double partialPixels = 8e3; // in or beside what seems partial, from which differences are told
     double otherPixels = 3e3;   // and elsewhere, where few rays may have missed a part
-    double edgeDistance = 2.0;  // pixels, as of MeasureVisibility
+    double edgeDistance = GrossDistance; // pixels, as of MeasureVisibility
     std::size_t checked = 1000; // pixels a measure that are traced finely for seeming gross
   };
 

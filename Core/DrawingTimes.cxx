@@ -41,7 +41,7 @@ std::optional<double> DrawingTimes::AtLeast(const ShadowSetting& setting) const
     {
       return seconds;
     }
-    if (IsNoFaster(setting, known))
+    if (IsNoFaster(setting, known, true))
     {
       least = std::max(least.value_or(0.0), seconds);
     }

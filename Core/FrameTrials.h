@@ -17,9 +17,9 @@ namespace vtkshadows
 struct FrameWay
 {
   std::vector<ShadowSetting> settings;
-  double error = 0.0;  // percent, the worst of the lights; of exact ones 0
-  bool isRight = true; // every light within the budget
-  double cost = 0.0;   // expected, in frames without shadows: for the order, and until it is timed
+  double error = 0.0;   // percent, the worst of the lights; of exact ones 0
+  bool isRight = true;  // every light within the budget
+  double cost = 0.0;    // expected, in frames without shadows: for the order, and until it is timed
   double atLeast = 0.0; // seconds that it is known to take at least
 };
 

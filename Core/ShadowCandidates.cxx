@@ -92,7 +92,7 @@ std::vector<ShadowSetting> CandidateSettings(const CandidateScope& scope, const 
 }
 
 //------------------------------------------------------------------------------
-bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than)
+bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than, bool lightsMove)
 {
   const auto texels = [](const ShadowSetting& s)
   { return static_cast<double>(s.resolution) * s.resolution * s.cascades; };
@@ -101,7 +101,7 @@ bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than)
     return false;
   }
   const bool sameFilter = setting.filter == than.filter ||
-    (RankOf(than.filter) >= 0 && RankOf(than.filter) <= RankOf(setting.filter));
+    (!lightsMove && RankOf(than.filter) >= 0 && RankOf(than.filter) <= RankOf(setting.filter));
   // What an exact lookup costs more does not pay for a map so much larger.
   const bool isHuge = RankOf(setting.filter) >= 0 && RankOf(than.filter) >= 0 &&
     texels(setting) > HugeRatio * texels(than);

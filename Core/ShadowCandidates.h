@@ -33,8 +33,9 @@ struct CandidateScope
 std::vector<ShadowSetting> CandidateSettings(const CandidateScope& scope, const SceneNeeds& scene);
 
 // Whether a setting draws at least as much as another, by as much work a pixel: if that one is
-// right, this one need not be tried.
-bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than);
+// right, this one need not be tried. `lightsMove`: maps are drawn in each frame, those of the
+// filter "exact" from a list of all triangles, in one go, which for many props takes half as long.
+bool IsNoFaster(const ShadowSetting& setting, const ShadowSetting& than, bool lightsMove = false);
 
 // For one light, in frames without shadows: for the order of trials, and until times are known.
 // A camera that moves draws no map again; a light that moves does.

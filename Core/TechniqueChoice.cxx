@@ -34,11 +34,6 @@ bool IsOnePixel(const ErrorPercents& error)
     error.gross * error.pixels < 100.0 * (MostGrossPixels + 0.5);
 }
 
-bool IsGross(const ErrorPercents& error, double margin)
-{
-  return !IsOnePixel(error) && margin * error.gross > MostGrossPercent;
-}
-
 bool SoftensBy(const ShadowSetting& setting)
 {
   return setting.technique != "depth-map" || setting.filter == "soft" ||
@@ -152,6 +147,11 @@ ErrorPercents ErrorPercents::Of(const VisibilityError& error, bool isSampled)
 }
 
 //------------------------------------------------------------------------------
+bool IsGross(const ErrorPercents& error, double margin)
+{
+  return !IsOnePixel(error) && margin * error.gross > MostGrossPercent;
+}
+
 bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSoft, double margin)
 {
   if (budget.maximumError)
@@ -175,7 +175,7 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
 bool HangsOnFewPixels(const ErrorPercents& error)
 {
   constexpr double Few = 4.5;
-  return error.isSampled && IsGross(error, 1.0) && 0.01 * error.gross * error.pixels < Few;
+  return error.isSampled && IsGross(error) && 0.01 * error.gross * error.pixels < Few;
 }
 
 std::string BudgetText(const ShadowBudget& budget)
@@ -186,7 +186,7 @@ std::string BudgetText(const ShadowBudget& budget)
 
 std::string ErrorText(const ErrorPercents& error, const ShadowBudget& budget, bool isSoft)
 {
-  const bool isOfGross = !budget.maximumError && IsGross(error, 1.0);
+  const bool isOfGross = !budget.maximumError && IsGross(error);
   return isOfGross ? NumberText(error.gross) + " % gross"
     : isSoft && !budget.maximumError
     ? NumberText(error.penumbraDifference) + " % mean difference in the penumbra"

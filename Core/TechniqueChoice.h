@@ -126,6 +126,8 @@ constexpr double MostPenumbraDifferencePercent = 4.0;
 // `margin`: times the error that was measured that it may have become, at least 1; not of penumbrae
 // by sample lights. What was measured on a sample of pixels has two standard deviations more.
 bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSoft, double margin);
+// Whether it has gross error, which no budget of error is held against.
+bool IsGross(const ErrorPercents& error, double margin = 1.0);
 // Whether it is gross by so few of a sample's pixels that chance decides: all are to be looked at.
 bool HangsOnFewPixels(const ErrorPercents& error);
 // "no gross error" or "at most 0.5 % wrong".

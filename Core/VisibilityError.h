@@ -75,6 +75,9 @@ enum class PixelVerdict : std::uint8_t
   GrossMissedShadow // mismatch, farther
 };
 
+// Pixels from a true edge beyond which a mismatch is gross.
+constexpr double GrossDistance = 2.0;
+
 // Measure `images`. A true shadow edge runs between two 4-neighbours that both show a receiver (any
 // role but Background) and whose truths lie on different sides of 0.5; both pixels belong to it.
 // A mismatch is gross if the nearest edge pixel's centre is more than `edgeDistance` pixels away
@@ -82,8 +85,8 @@ enum class PixelVerdict : std::uint8_t
 // Throws std::invalid_argument if a size is not positive, an array is missing, or `edgeDistance`
 // is negative or not finite.
 // If `verdicts` is given it receives width*height entries.
-VisibilityError MeasureVisibility(const VisibilityImages& images, double edgeDistance = 2.0,
-  std::vector<PixelVerdict>* verdicts = nullptr);
+VisibilityError MeasureVisibility(const VisibilityImages& images,
+  double edgeDistance = GrossDistance, std::vector<PixelVerdict>* verdicts = nullptr);
 
 }
 

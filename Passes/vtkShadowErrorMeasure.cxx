@@ -131,7 +131,8 @@ void vtkShadowErrorMeasure::Evaluate()
   vtkshadows::VisibilityImages images = measured.Images();
   images.role = roles.data();
   std::vector<vtkshadows::PixelVerdict> verdicts;
-  const vtkshadows::VisibilityError error = vtkshadows::MeasureVisibility(images, 2.0, &verdicts);
+  const vtkshadows::VisibilityError error =
+    vtkshadows::MeasureVisibility(images, vtkshadows::GrossDistance, &verdicts);
 
   this->ReceiverPixels = static_cast<vtkIdType>(error.receiverPixels);
   this->ShadowPixels = static_cast<vtkIdType>(error.shadowPixels);

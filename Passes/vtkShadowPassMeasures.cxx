@@ -11,9 +11,6 @@
 namespace
 {
 
-// Pixels from a true edge beyond which a mismatch is gross.
-constexpr double GrossDistance = 2.0;
-
 // Rays that a choice traces for one measure: enough for one gross pixel in 100 000 to be seen, and
 // a small part of a second. Lights share them, down to so many pixels each.
 constexpr double MeasuredRays = 1.0e6;
@@ -78,7 +75,7 @@ bool vtkShadowPass::Internals::MeasureError(
   {
     return false;
   }
-  error = vtkshadows::MeasureVisibility(measured.Images(), GrossDistance * view.Scale);
+  error = vtkshadows::MeasureVisibility(measured.Images(), vtkshadows::GrossDistance * view.Scale);
   return true;
 }
 
@@ -100,7 +97,7 @@ bool vtkShadowPass::Internals::MeasureSoftError(
     settings.height = view.Size[1];
     settings.coarse = CoarseSamples;
     settings.fine = std::max(vtkshadows::TruthSamples, this->SamplesOfTruth());
-    settings.edgeDistance = GrossDistance * view.Scale;
+    settings.edgeDistance = vtkshadows::GrossDistance * view.Scale;
     const auto trace = [this, &view, light](int samples, double epsilonScale,
                          const std::vector<unsigned char>& which, std::vector<float>& visibility)
     {

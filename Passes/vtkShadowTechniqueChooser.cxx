@@ -166,7 +166,7 @@ std::vector<vtkShadowTechniqueChooser::ChosenLight> vtkShadowTechniqueChooser::L
 // frame's.
 void vtkShadowTechniqueChooser::NoteSteps(bool isDrawn)
 {
-  std::map<const vtkLight*, ChosenLight> now;
+  std::map<const vtkLight*, Place> now;
   for (ChosenLight& light : this->Chosen)
   {
     const auto before = this->LastDrawn.find(light.Source);
@@ -181,7 +181,7 @@ void vtkShadowTechniqueChooser::NoteSteps(bool isDrawn)
       light.Step = isDrawn ? vtkShadowMeasuredErrors::DriftOf(before->second.Now, light.Now)
                            : before->second.Step;
     }
-    now[light.Source] = light;
+    now[light.Source] = { light.Now, light.Step };
   }
   if (isDrawn)
   {

@@ -105,9 +105,11 @@ private:
   double SecondsAtLeast(const Setting& setting) const;
   bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
   bool IsInUse(const Setting& setting, const ChosenLight& light) const;
+  bool IsHopeless(const Setting& setting, const ChosenLight& light) const;
   double MarginOf(const Setting& setting, const ChosenLight& light,
     const vtkShadowMeasuredErrors::Record& record, double drift) const;
-  static bool IsOnTheWay(const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record);
+  static bool IsOnTheWay(
+    const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record, bool isInUse);
   void NoteRefusals();
   std::vector<Setting> JudgeSettings(const Request& request);
   std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
@@ -128,7 +130,13 @@ private:
   vtkshadows::SceneNeeds Scene;
   std::vector<ChosenLight> Chosen;     // of the last Choose, those that reach something
   std::vector<const vtkLight*> Unseen; // and those that do not
-  std::map<const vtkLight*, ChosenLight> LastDrawn;
+  // Of the last frame that was drawn.
+  struct Place
+  {
+    vtkShadowMeasuredErrors::Circumstances Now;
+    double Step = 0.0;
+  };
+  std::map<const vtkLight*, Place> LastDrawn;
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
   bool IsChosen = false;
   bool MeasuresWait = false; // for the next frames, of settings that nothing is known of
@@ -137,6 +145,8 @@ private:
   bool Holds = false;
   std::map<const vtkLight*, Setting> InUse; // the same, by light
   double MeasuringSeconds = 0.0;
+  double LastCost = 0.0;       // seconds of the last measure
+  double LastMeasured = 0.0;   // and when, of DrawingSeconds
   double DrawingSeconds = 0.0; // while frames were drawn one after another, without measures
   double FrameStart = 0.0;     // of the last frame, by the clock
   double FrameSeconds = 0.0;   // that it took

@@ -26,13 +26,17 @@ constexpr double SamePicture = 0.02;
 constexpr double OneStep = 1.0;
 constexpr double MeasuringShareOnTheWay = 8.0;
 constexpr double MeasuringShare = 20.0;
-// The same for each setting that is not in use, as long as what is serves and something moves.
+// The same for each setting that is not in use, as long as what is serves and something moves; and
+// MeasuringShare between two of them, or several would be due in a row.
 constexpr double MeasuringShareOfOthers = 100.0;
 // A setting expected to cost this many times the cheapest that is right is not measured.
 constexpr double NotPromising = 4.0;
 // Times what was measured that an error may be at once, and of what was drawn by and found wrong.
 constexpr double Margin = 1.05;
 constexpr double MarginOfRefused = 1.25;
+
+// Sample lights from which on one more or less hardly counts.
+constexpr int FewestTellingSamples = 16;
 
 // What an error counts as at least that was measured, percent: less is not told from none.
 constexpr double LeastMeasured = 1.0e-4;
@@ -84,12 +88,12 @@ void vtkShadowTechniqueChooser::SetBudget(const vtkshadows::ShadowBudget& budget
   this->Errors.ForgiveAll();
 }
 
-// Whether the eye goes by steps, and the next measure of what is in use waits.
+// Whether the eye goes by steps, and the next measure of a setting waits.
 bool vtkShadowTechniqueChooser::IsOnTheWay(
-  const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record)
+  const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record, bool isInUse)
 {
-  return light.Step > 0.0 && light.Step <= OneStep &&
-    record.Elapsed < MeasuringShareOnTheWay * record.Cost;
+  const double share = isInUse ? MeasuringShareOnTheWay : MeasuringShareOfOthers;
+  return light.Step > 0.0 && light.Step <= OneStep && record.Elapsed < share * record.Cost;
 }
 
 // What is urgent may be needed for this frame.
@@ -105,7 +109,8 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   {
     const bool isAtRest = light.Step == 0.0 && !this->IsMoving;
     const double share = isAtRest ? MeasuringShare : MeasuringShareOfOthers;
-    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost;
+    return record->Drift > OtherPicture && record->Elapsed >= share * record->Cost &&
+      this->DrawingSeconds - this->LastMeasured >= MeasuringShare * this->LastCost;
   }
   const bool mayWait = record->Elapsed < MeasuringShare * record->Cost;
   const bool soft = light.Needs.isSoft;
@@ -114,7 +119,7 @@ bool vtkShadowTechniqueChooser::NeedsMeasure(
   {
     return record->Drift > OtherPicture && !mayWait;
   }
-  const bool isOnTheWay = IsOnTheWay(light, *record);
+  const bool isOnTheWay = IsOnTheWay(light, *record, true);
   const bool isClose = !vtkshadows::IsWithin(
     this->Budget, record->Error, soft, this->MarginOf(setting, light, *record, record->Drift));
   if (this->IsMoving)
@@ -163,7 +168,9 @@ bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting
       }
     }
   }
-  this->MeasuringSeconds += vtkShadowSeconds() - start;
+  this->LastCost = vtkShadowSeconds() - start;
+  this->LastMeasured = this->DrawingSeconds;
+  this->MeasuringSeconds += this->LastCost;
   return true;
 }
 
@@ -209,14 +216,16 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
   {
     if (const auto record = this->Errors.Find(setting, light.Now))
     {
-      // Of another picture it says nothing, unless in a motion, where measures wait.
-      const bool isOfThis =
-        this->IsMoving || record->Drift <= OtherPicture || this->IsInUse(setting, light);
+      // Of another picture it says nothing, unless in a motion, where measures wait: or what is
+      // tried in turn amid what receives would be no more right when its turn comes again.
+      const bool isInUse = this->IsInUse(setting, light);
+      const bool waits = IsOnTheWay(light, *record, isInUse);
+      const bool isOfThis = this->IsMoving || record->Drift <= OtherPicture || isInUse || waits;
       verdict.Error = isOfThis ? std::make_optional(record->Error) : std::nullopt;
       // While a measure waits, what is in use is as it was measured last.
-      const double drift = this->IsMoving ? std::min(record->Drift, OtherPicture)
-        : this->IsInUse(setting, light) && IsOnTheWay(light, *record) ? 0.0
-                                                                      : record->Drift;
+      const double drift = isInUse && waits && !this->IsMoving ? 0.0
+        : this->IsMoving || waits ? std::min(record->Drift, OtherPicture)
+                                  : record->Drift;
       verdict.IsRight = isOfThis &&
         vtkshadows::IsWithin(this->Budget, record->Error, verdict.Soft,
           this->MarginOf(setting, light, *record, drift));
@@ -248,6 +257,25 @@ vtkShadowTechniqueChooser::Verdict vtkShadowTechniqueChooser::Judge(
     verdict.IsRight = isFine && isSampled && (!anyExact || this->Scene.isTooLarge);
   }
   return verdict;
+}
+
+//------------------------------------------------------------------------------
+// Where fewer sample lights are grossly wrong, more than half of them are so: more are no better,
+// from some number on.
+bool vtkShadowTechniqueChooser::IsHopeless(const Setting& setting, const ChosenLight& light) const
+{
+  Setting fewer = setting;
+  for (fewer.samples = FewestTellingSamples; fewer.IsMap() && fewer.samples < setting.samples;
+       fewer.samples *= 2)
+  {
+    const auto record = this->Errors.Find(fewer, light.Now);
+    if (record && record->Drift <= OtherPicture && !this->Budget.maximumError &&
+      vtkshadows::IsGross(record->Error))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -307,25 +335,37 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
     }
   }
   bool hasMeasured = this->MeasuringSeconds > 0.0, waitsForTimes = false;
+  const bool isUsedByAll = std::all_of(lights.begin(), lights.end(),
+    [&](const ChosenLight& light)
+    {
+      const auto first = this->InUse.find(lights.front().Source);
+      return first != this->InUse.end() && this->IsInUse(first->second, light);
+    });
   for (const Setting& setting : settings)
   {
     const auto covers = [&](const Setting& known)
-    { return vtkshadows::IsNoFaster(setting, known); };
-    double cost = 0.0, seconds = 0.0;
-    bool isUnknown = false;
+    { return vtkshadows::IsNoFaster(setting, known, this->IsMoving); };
+    double cost = 0.0;
+    int fits = 0;
+    bool isUnknown = false, isHopeless = true;
     for (const ChosenLight& light : lights)
     {
+      const Standing::Kind kind = vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind;
       cost += this->CostOf(setting, light);
-      seconds += this->SecondsAtLeast(setting);
-      isUnknown = isUnknown ||
-        (vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind == Standing::Measured &&
-          !this->Errors.Find(setting, light.Now));
+      fits += kind != Standing::Unfit ? 1 : 0;
+      if (kind == Standing::Measured && !this->Errors.Find(setting, light.Now))
+      {
+        isUnknown = true;
+        isHopeless = isHopeless && this->IsHopeless(setting, light);
+      }
     }
+    // Where lights have several settings it may be the best for one of them alone.
+    const double seconds = this->SecondsAtLeast(setting) * (isUsedByAll ? fits : 1);
     if (this->Verdicts.count(setting.Text()) > 0 ||
       (!byAccuracy &&
         (std::any_of(right.begin(), right.end(), covers) ||
           (isUnknown && cost > NotPromising * cheapest))) ||
-      (isUnknown && this->Trials().HasLost(seconds)))
+      (isUnknown && (isHopeless || this->Trials().HasLost(seconds))))
     {
       continue;
     }

@@ -234,7 +234,7 @@ CLI::App* AddBench(CLI::App& app, RawOptions& raw)
   command
     ->add_option("--seconds", bench.seconds,
       "of timing, for each setting and scene, in short visits, 3 or more where they are not slow; "
-      "default: 1, fast 0.2")
+      "default: 0.7, fast 0.2")
     ->type_name("S");
   command->add_option("--frames", raw.frames, "rounds of timing, whatever they take")
     ->type_name("N");

@@ -376,7 +376,10 @@ void Stage::SettleChoice()
 // A shape is looked at in its second frame, and what is found of it is left out in the next.
 void Stage::SettleCulling()
 {
-  for (int i = 0; this->cullHiddenFaces && (i < 2 || !this->shadows->GetCullingIsSettled()); ++i)
+  constexpr int MostFrames = 64;
+  for (int i = 0;
+       this->cullHiddenFaces && i < MostFrames && (i < 2 || !this->shadows->GetCullingIsSettled());
+       ++i)
   {
     this->window.Render();
   }

@@ -114,6 +114,63 @@ TEST(FrameTrials, WhatIsFarTooDearIsNotTried)
 }
 
 //------------------------------------------------------------------------------
+TEST(FrameTrials, WhatIsKnownToBeSlowIsNotTried)
+{
+  FrameTrials trials;
+  FrameWay slow = Way("b", 2.0), fast = Way("c", 2.5);
+  slow.atLeast = 0.05;
+  fast.atLeast = 0.03;
+  trials.SetWays({ Way("a", 1.3), slow, fast }, {});
+  EXPECT_FALSE(trials.HasLost(10.0)); // nothing is timed yet
+  const std::vector<std::string> drawn = Draw(trials, { { "a", 0.02 }, { "c", 0.031 } }, 30);
+  EXPECT_EQ(std::count(drawn.begin(), drawn.end(), "b"), 0);
+  EXPECT_GT(std::count(drawn.begin(), drawn.end(), "c"), 0); // which might have been as fast
+  EXPECT_TRUE(trials.IsSettled());
+  EXPECT_TRUE(trials.HasLost(0.041));
+  EXPECT_FALSE(trials.HasLost(0.039));
+}
+
+//------------------------------------------------------------------------------
+// With a budget of time alone the most accurate is sought that keeps to it, be it slower than
+// others.
+TEST(FrameTrials, WithABudgetOfTimeThatIsWhatLoses)
+{
+  ShadowBudget budget;
+  budget.maximumSeconds = 0.1;
+  FrameTrials trials;
+  FrameWay better = Way("b", 2.0, 0.1), best = Way("c", 2.5, 0.0);
+  better.atLeast = 0.08;
+  best.atLeast = 0.2;
+  trials.SetWays({ Way("a", 1.3, 1.0), better, best }, budget);
+  const std::vector<std::string> drawn = Draw(trials, { { "a", 0.02 }, { "b", 0.09 } }, 30);
+  EXPECT_EQ(drawn.back(), "b");
+  EXPECT_EQ(std::count(drawn.begin(), drawn.end(), "c"), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(FrameTrials, TheOnlyWayIsTimedWhereOthersWaitForIt)
+{
+  FrameTrials trials;
+  trials.SetWays({ Way("a", 1.3) }, {});
+  Draw(trials, { { "a", 0.02 } }, 10);
+  EXPECT_TRUE(trials.IsSettled());
+  EXPECT_FALSE(trials.HasLost(1.0));
+  trials.SetTimesOnlyWay(true);
+  EXPECT_FALSE(trials.IsSettled());
+  for (int i = 0; i < 4; ++i)
+  {
+    trials.SetTimesOnlyWay(true);
+    trials.SetWays({ Way("a", 1.3) }, {});
+    Draw(trials, { { "a", 0.02 } }, 1);
+  }
+  EXPECT_TRUE(trials.IsSettled()); // after one row
+  EXPECT_EQ(trials.LeastSeconds(), 0.02);
+  trials.SetTimesOnlyWay(false);
+  Draw(trials, { { "a", 0.02 } }, 5);
+  EXPECT_TRUE(trials.IsSettled());
+}
+
+//------------------------------------------------------------------------------
 TEST(FrameTrials, AnotherTimeIsNoticed)
 {
   FrameTrials trials;

@@ -105,6 +105,8 @@ TEST(ShadowCandidates, WhatNeedNotBeTried)
   EXPECT_TRUE(IsNoFaster(Map(2048), Map(1024)));
   EXPECT_FALSE(IsNoFaster(Map(1024), Map(2048)));
   EXPECT_TRUE(IsNoFaster(Map(1024, "exact"), Map(1024)));
+  EXPECT_FALSE(IsNoFaster(Map(1024, "exact"), Map(1024), true));
+  EXPECT_TRUE(IsNoFaster(Map(2048, "exact"), Map(1024, "exact"), true));
   // Drawn with less, looked up with more: time tells.
   EXPECT_FALSE(IsNoFaster(Map(512, "exact"), Map(1024)));
   EXPECT_FALSE(IsNoFaster(Map(1024), Map(512, "exact")));

@@ -1,5 +1,6 @@
 // Technique "auto": what it takes for which scene, that it keeps to its budgets, says why, and
 // neither flickers nor builds what is not required.
+#include "Scenes.h"
 #include "ShadowTest.h"
 
 #include "vtkObjectIDShadowPass.h"
@@ -286,6 +287,29 @@ TEST_F(Auto, SoftLights)
       EXPECT_TRUE(
         filter == vtkDepthShadowMapPass::SOFT || filter == vtkDepthShadowMapPass::SAMPLE_LIGHTS);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A lawn, whose volumes cover each pixel many times: where 8 of them take far longer than rays that
+// serve, 16 and 32 are neither measured nor drawn.
+TEST_F(Auto, WhatIsSlowWithFewSamplesIsNotMeasuredWithMany)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  vtkshadows::SceneSize size;
+  size.detail = 0.25;
+  size.width = 160;
+  size.height = 120;
+  this->Resize(size.width, size.height);
+  const vtkshadows::SceneFacts facts = vtkshadows::BuildScene("grass", this->Renderer, size);
+  this->Sun = facts.lights[0].light;
+  this->Shadows->SetLightRadius(this->Sun, facts.lights[0].radius);
+  this->Settle(200);
+  this->ExpectChosen(this->Sun, { "ray-cast" }, { "stencil-volume (8 samples)" });
+  const std::string explanation = this->Shadows->GetExplanation(this->Sun);
+  for (const char* slow : { "stencil-volume (16 samples)", "stencil-volume (32 samples)" })
+  {
+    EXPECT_EQ(explanation.find(slow), std::string::npos) << explanation;
   }
 }
 

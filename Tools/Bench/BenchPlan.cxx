@@ -210,7 +210,7 @@ TimingPlan BenchTiming(const Options& options)
 {
   TimingPlan timing;
   timing.rounds = options.frames;
-  timing.seconds = options.bench.seconds.value_or(options.bench.fast ? 0.2 : 1.0);
+  timing.seconds = options.bench.seconds.value_or(options.bench.fast ? 0.2 : 0.7);
   return timing;
 }
 
