@@ -65,7 +65,7 @@ double FrameTrials::CostOfFastest() const
 bool FrameTrials::IsDone(std::size_t way) const
 {
   const Timing& timing = this->Timings[way];
-  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  const bool byAccuracy = this->Budget.IsOfTimeAlone();
   const double limit = byAccuracy ? *this->Budget.maximumSeconds : 0.0;
   if (timing.rows == 0 || timing.rows >= MostRows)
   {
@@ -164,7 +164,7 @@ bool FrameTrials::IsPromising(std::size_t way) const
 
 bool FrameTrials::HasLost(double seconds) const
 {
-  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  const bool byAccuracy = this->Budget.IsOfTimeAlone();
   return seconds > LosingRatioUnseen * this->LeastSeconds() &&
     (!byAccuracy || seconds > *this->Budget.maximumSeconds);
 }
@@ -183,7 +183,7 @@ void FrameTrials::SetTimesOnlyWay(bool times)
 // time alone the most accurate that keeps to it.
 std::size_t FrameTrials::Best() const
 {
-  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  const bool byAccuracy = this->Budget.IsOfTimeAlone();
   const auto rank = [&](std::size_t i)
   {
     const FrameWay& way = this->Ways[i];

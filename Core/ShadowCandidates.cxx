@@ -21,15 +21,6 @@ int RankOf(const std::string& filter)
   return filter == "percentage-closer" ? 0 : filter == "exact" ? 1 : -1;
 }
 
-ShadowSetting Map(int texels, int cascades, const char* filter, int samples = 0)
-{
-  ShadowSetting setting = ShadowSetting::By("depth-map", samples);
-  setting.resolution = texels;
-  setting.cascades = cascades;
-  setting.filter = filter;
-  return setting;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -63,29 +54,29 @@ std::vector<ShadowSetting> CandidateSettings(const CandidateScope& scope, const 
   {
     for (const int texels : { 512, 1024, 2048, 4096 })
     {
-      settings.push_back(Map(texels, 1, "percentage-closer"));
+      settings.push_back(ShadowSetting::Map(texels, "percentage-closer"));
     }
     for (const int texels : { 512, 1024, 2048 })
     {
-      settings.push_back(Map(texels, 1, "exact"));
+      settings.push_back(ShadowSetting::Map(texels, "exact"));
     }
     if (scope.anyCascaded)
     {
-      settings.push_back(Map(1024, ChosenCascades, "percentage-closer"));
-      settings.push_back(Map(1024, ChosenCascades, "exact"));
-      settings.push_back(Map(2048, ChosenCascades, "exact"));
+      settings.push_back(ShadowSetting::Map(1024, "percentage-closer", ChosenCascades));
+      settings.push_back(ShadowSetting::Map(1024, "exact", ChosenCascades));
+      settings.push_back(ShadowSetting::Map(2048, "exact", ChosenCascades));
     }
   }
   if (scope.anySoft)
   {
     for (const int texels : { 512, 1024, 2048 })
     {
-      settings.push_back(Map(texels, 1, "soft"));
+      settings.push_back(ShadowSetting::Map(texels, "soft"));
     }
     for (const int samples :
       isMeasured ? std::vector<int>{ 8, 16, 32, 64 } : std::vector<int>{ UsualMapSamples })
     {
-      settings.push_back(Map(UsualMapTexels, 1, "sample-lights", samples));
+      settings.push_back(ShadowSetting::Map(UsualMapTexels, "sample-lights", 1, samples));
     }
   }
   return settings;

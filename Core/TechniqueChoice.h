@@ -28,6 +28,15 @@ struct ShadowSetting
     setting.samples = samples;
     return setting;
   }
+  static ShadowSetting Map(
+    int resolution, const std::string& filter, int cascades = 1, int samples = 0)
+  {
+    ShadowSetting setting = By("depth-map", samples);
+    setting.resolution = resolution;
+    setting.cascades = cascades;
+    setting.filter = filter;
+    return setting;
+  }
   bool IsMap() const { return this->technique == "depth-map"; }
   bool IsSampled() const { return this->samples > 0; }
   // "depth-map (2048 texels, 4 cascades, filter exact)", "ray-cast (16 samples)"
@@ -86,6 +95,9 @@ struct ShadowBudget
 {
   std::optional<double> maximumError;   // percent: mismatch; soft lights: mean absolute difference
   std::optional<double> maximumSeconds; // a frame
+
+  // The most accurate is sought that keeps to it, and not the fastest.
+  bool IsOfTimeAlone() const { return this->maximumSeconds && !this->maximumError; }
 };
 
 // What a measure found, in percent of the receiver pixels.

@@ -103,6 +103,16 @@ private:
     const std::function<bool(const ChosenLight&)>& isUrgent);
   void NoteDrawing(const Setting& setting, double secondsOfLight);
   double SecondsAtLeast(const Setting& setting) const;
+  // What is expected of a setting before it is judged.
+  struct Prospect
+  {
+    double Cost = 0.0;      // in frames without shadows
+    double AtLeast = 0.0;   // seconds; 0 if nothing is known
+    bool IsUnknown = false; // some light's error
+    bool IsHopeless = true; // each of those
+  };
+  Prospect ProspectOf(const Setting& setting) const;
+  bool IsServingAll(const Setting& setting) const;
   bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
   bool IsInUse(const Setting& setting, const ChosenLight& light) const;
   bool IsHopeless(const Setting& setting, const ChosenLight& light) const;
@@ -125,7 +135,8 @@ private:
   vtkShadowMeasuredErrors Errors;
   vtkshadows::FrameTrials Static, Moving;
   vtkshadows::DrawingTimes StaticTimes, MovingTimes;
-  std::map<std::string, vtkMTimeType> Made; // what casters were when a technique was made for them
+  // What casters were when a technique with a filter was made for them.
+  std::map<std::pair<std::string, std::string>, vtkMTimeType> Made;
 
   vtkshadows::SceneNeeds Scene;
   std::vector<ChosenLight> Chosen;     // of the last Choose, those that reach something

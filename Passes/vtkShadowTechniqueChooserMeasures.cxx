@@ -179,7 +179,7 @@ bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting
 // that is drawn again only as its light or casters move.
 void vtkShadowTechniqueChooser::NoteDrawing(const Setting& setting, double secondsOfLight)
 {
-  const std::string key = setting.technique + " " + setting.filter;
+  const auto key = std::make_pair(setting.technique, setting.filter);
   const auto made = this->Made.find(key);
   const bool wasMade =
     made != this->Made.end() && (this->IsMoving || made->second == this->CasterStamp);
@@ -194,7 +194,7 @@ void vtkShadowTechniqueChooser::NoteReleased(const std::string& technique)
 {
   for (auto it = this->Made.begin(); it != this->Made.end();)
   {
-    it = it->first.rfind(technique + " ", 0) == 0 ? this->Made.erase(it) : std::next(it);
+    it = it->first.first == technique ? this->Made.erase(it) : std::next(it);
   }
 }
 
@@ -285,12 +285,42 @@ double vtkShadowTechniqueChooser::CostOf(const Setting& setting, const ChosenLig
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowTechniqueChooser::IsServingAll(const Setting& setting) const
+{
+  return std::all_of(this->Chosen.begin(), this->Chosen.end(),
+    [&](const ChosenLight& light) { return this->IsInUse(setting, light); });
+}
+
+vtkShadowTechniqueChooser::Prospect vtkShadowTechniqueChooser::ProspectOf(
+  const Setting& setting) const
+{
+  Prospect prospect;
+  int fits = 0;
+  for (const ChosenLight& light : this->Chosen)
+  {
+    const Standing::Kind kind = vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind;
+    prospect.Cost += this->CostOf(setting, light);
+    fits += kind != Standing::Unfit ? 1 : 0;
+    if (kind == Standing::Measured && !this->Errors.Find(setting, light.Now))
+    {
+      prospect.IsUnknown = true;
+      prospect.IsHopeless = prospect.IsHopeless && this->IsHopeless(setting, light);
+    }
+  }
+  // Where lights have several settings it may be the best for one of them alone.
+  const auto first = this->InUse.find(this->Chosen.front().Source);
+  const bool isOne = first != this->InUse.end() && this->IsServingAll(first->second);
+  prospect.AtLeast = this->SecondsAtLeast(setting) * (isOne ? fits : 1);
+  return prospect;
+}
+
+//------------------------------------------------------------------------------
 // Verdicts on all that may be of use: what is in use at first; then, the cheapest first, what may
 // be faster than what is right already.
 std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Request& request)
 {
   const std::vector<ChosenLight>& lights = this->Chosen;
-  const bool byAccuracy = this->Budget.maximumSeconds && !this->Budget.maximumError;
+  const bool byAccuracy = this->Budget.IsOfTimeAlone();
   std::vector<Setting> candidates, right;
   std::vector<bool> served(lights.size(), false);
   double cheapest = std::numeric_limits<double>::infinity();
@@ -321,7 +351,6 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
         ? std::min(cheapest, cost)
         : cheapest;
     }
-    return cost;
   };
 
   const std::vector<Setting> settings = this->SettingsToTry(request);
@@ -335,44 +364,24 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
     }
   }
   bool hasMeasured = this->MeasuringSeconds > 0.0, waitsForTimes = false;
-  const bool isUsedByAll = std::all_of(lights.begin(), lights.end(),
-    [&](const ChosenLight& light)
-    {
-      const auto first = this->InUse.find(lights.front().Source);
-      return first != this->InUse.end() && this->IsInUse(first->second, light);
-    });
   for (const Setting& setting : settings)
   {
     const auto covers = [&](const Setting& known)
     { return vtkshadows::IsNoFaster(setting, known, this->IsMoving); };
-    double cost = 0.0;
-    int fits = 0;
-    bool isUnknown = false, isHopeless = true;
-    for (const ChosenLight& light : lights)
-    {
-      const Standing::Kind kind = vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind;
-      cost += this->CostOf(setting, light);
-      fits += kind != Standing::Unfit ? 1 : 0;
-      if (kind == Standing::Measured && !this->Errors.Find(setting, light.Now))
-      {
-        isUnknown = true;
-        isHopeless = isHopeless && this->IsHopeless(setting, light);
-      }
-    }
-    // Where lights have several settings it may be the best for one of them alone.
-    const double seconds = this->SecondsAtLeast(setting) * (isUsedByAll ? fits : 1);
+    const Prospect prospect = this->ProspectOf(setting);
     if (this->Verdicts.count(setting.Text()) > 0 ||
       (!byAccuracy &&
         (std::any_of(right.begin(), right.end(), covers) ||
-          (isUnknown && cost > NotPromising * cheapest))) ||
-      (isUnknown && (isHopeless || this->Trials().HasLost(seconds))))
+          (prospect.IsUnknown && prospect.Cost > NotPromising * cheapest))) ||
+      (prospect.IsUnknown && (prospect.IsHopeless || this->Trials().HasLost(prospect.AtLeast))))
     {
       continue;
     }
     // Once something serves, the others are measured one a frame: those of which nothing is known
     // in turn, the known ones once in a while.
     const bool isServed = std::all_of(served.begin(), served.end(), [](bool is) { return is; });
-    if (isServed && isUnknown && seconds > 0.0 && std::isinf(this->Trials().LeastSeconds()))
+    if (isServed && prospect.IsUnknown && prospect.AtLeast > 0.0 &&
+      std::isinf(this->Trials().LeastSeconds()))
     {
       // Whether it is too slow to be measured is told once what serves is timed.
       waitsForTimes = true;
@@ -384,7 +393,7 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
         this->MeasureFor(request, setting, [isServed](const ChosenLight&) { return !isServed; });
       hasMeasured = hasMeasured || did;
     }
-    else if (isUnknown)
+    else if (prospect.IsUnknown)
     {
       this->MeasuresWait = true;
       continue;

@@ -10,18 +10,12 @@ using vtkshadows::ShadowSetting;
 
 ShadowSetting Sampled(const char* technique, int samples)
 {
-  ShadowSetting setting;
-  setting.technique = technique;
-  setting.samples = samples;
-  return setting;
+  return ShadowSetting::By(technique, samples);
 }
 
 ShadowSetting Map(int texels, const char* filter, int samples = 0)
 {
-  ShadowSetting setting = Sampled("depth-map", samples);
-  setting.resolution = texels;
-  setting.filter = filter;
-  return setting;
+  return ShadowSetting::Map(texels, filter, 1, samples);
 }
 
 }

@@ -13,17 +13,10 @@ using vtkshadows::FrameWay;
 using vtkshadows::ShadowBudget;
 using vtkshadows::ShadowSetting;
 
-ShadowSetting Named(const std::string& technique)
-{
-  ShadowSetting setting;
-  setting.technique = technique;
-  return setting;
-}
-
 FrameWay Way(const std::string& technique, double cost, double error = 0.0)
 {
   FrameWay way;
-  way.settings = { Named(technique) };
+  way.settings = { ShadowSetting::By(technique) };
   way.cost = cost;
   way.error = error;
   return way;

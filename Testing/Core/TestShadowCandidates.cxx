@@ -15,20 +15,12 @@ using vtkshadows::ShadowSetting;
 
 ShadowSetting Map(int resolution, const std::string& filter = "percentage-closer", int cascades = 1)
 {
-  ShadowSetting setting;
-  setting.technique = "depth-map";
-  setting.resolution = resolution;
-  setting.filter = filter;
-  setting.cascades = cascades;
-  return setting;
+  return ShadowSetting::Map(resolution, filter, cascades);
 }
 
 ShadowSetting Sampled(const std::string& technique, int samples)
 {
-  ShadowSetting setting;
-  setting.technique = technique;
-  setting.samples = samples;
-  return setting;
+  return ShadowSetting::By(technique, samples);
 }
 
 SceneNeeds Plain()

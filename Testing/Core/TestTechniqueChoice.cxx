@@ -10,19 +10,9 @@ using vtkshadows::ShadowBudget;
 using vtkshadows::ShadowSetting;
 using vtkshadows::Standing;
 
-ShadowSetting Named(const std::string& technique)
-{
-  ShadowSetting setting;
-  setting.technique = technique;
-  return setting;
-}
-
 ShadowSetting Map(int resolution, const std::string& filter = "percentage-closer")
 {
-  ShadowSetting setting = Named("depth-map");
-  setting.resolution = resolution;
-  setting.filter = filter;
-  return setting;
+  return ShadowSetting::Map(resolution, filter);
 }
 
 SceneNeeds Plain()
@@ -50,54 +40,55 @@ TEST(TechniqueChoice, WhatASceneAsks)
 {
   const SceneNeeds plain = Plain();
   EXPECT_EQ(KindOf(Map(1024), plain), Standing::Measured);
-  EXPECT_EQ(KindOf(Named("stencil-volume"), plain), Standing::Exact);
-  EXPECT_EQ(KindOf(Named("ray-cast"), plain), Standing::Exact);
-  EXPECT_EQ(KindOf(Named("planar"), plain), Standing::Unfit);
+  EXPECT_EQ(KindOf(ShadowSetting::By("stencil-volume"), plain), Standing::Exact);
+  EXPECT_EQ(KindOf(ShadowSetting::By("ray-cast"), plain), Standing::Exact);
+  EXPECT_EQ(KindOf(ShadowSetting::By("planar"), plain), Standing::Unfit);
 
   SceneNeeds flat = plain;
   flat.receivesFlat = true;
-  EXPECT_EQ(KindOf(Named("planar"), flat), Standing::Exact);
+  EXPECT_EQ(KindOf(ShadowSetting::By("planar"), flat), Standing::Exact);
 
   SceneNeeds spheres = plain;
   spheres.notTriangles = "sphere impostors";
-  EXPECT_EQ(KindOf(Named("stencil-volume"), spheres), Standing::Unfit);
-  EXPECT_EQ(KindOf(Named("ray-cast"), spheres), Standing::Exact);
+  EXPECT_EQ(KindOf(ShadowSetting::By("stencil-volume"), spheres), Standing::Unfit);
+  EXPECT_EQ(KindOf(ShadowSetting::By("ray-cast"), spheres), Standing::Exact);
   EXPECT_EQ(KindOf(Map(1024), spheres), Standing::Measured);
 
   SceneNeeds lines = spheres;
   lines.notHitByRays = lines.notTriangles = "lines and points";
-  EXPECT_EQ(KindOf(Named("ray-cast"), lines), Standing::Unfit);
+  EXPECT_EQ(KindOf(ShadowSetting::By("ray-cast"), lines), Standing::Unfit);
   EXPECT_EQ(KindOf(Map(1024), lines), Standing::Assumed);
 
   for (bool SceneNeeds::*beyond : { &SceneNeeds::hasHoles, &SceneNeeds::castsByOpacity })
   {
     SceneNeeds scene = flat;
     scene.*beyond = true;
-    EXPECT_EQ(KindOf(Named("stencil-volume"), scene), Standing::Unfit);
-    EXPECT_EQ(KindOf(Named("ray-cast"), scene), Standing::Unfit);
+    EXPECT_EQ(KindOf(ShadowSetting::By("stencil-volume"), scene), Standing::Unfit);
+    EXPECT_EQ(KindOf(ShadowSetting::By("ray-cast"), scene), Standing::Unfit);
     EXPECT_EQ(KindOf(Map(1024), scene), Standing::Assumed);
   }
 
   SceneNeeds standIns = flat;
   standIns.hasStandIns = true;
-  EXPECT_EQ(KindOf(Named("ray-cast"), standIns), Standing::Unfit);
-  EXPECT_EQ(KindOf(Named("stencil-volume"), standIns), Standing::Exact);
+  EXPECT_EQ(KindOf(ShadowSetting::By("ray-cast"), standIns), Standing::Unfit);
+  EXPECT_EQ(KindOf(ShadowSetting::By("stencil-volume"), standIns), Standing::Exact);
   EXPECT_EQ(KindOf(Map(1024), standIns), Standing::Assumed);
 
   SceneNeeds glass = flat;
   glass.receivesTranslucent = true;
   for (const char* mask : { "planar", "stencil-volume", "ray-cast" })
   {
-    EXPECT_EQ(KindOf(Named(mask), glass), Standing::Unfit) << mask;
+    EXPECT_EQ(KindOf(ShadowSetting::By(mask), glass), Standing::Unfit) << mask;
   }
   EXPECT_EQ(KindOf(Map(1024), glass), Standing::Measured);
 
   SceneNeeds noRays = plain;
   noRays.hasRays = false;
-  EXPECT_EQ(KindOf(Named("ray-cast"), noRays), Standing::Unfit);
+  EXPECT_EQ(KindOf(ShadowSetting::By("ray-cast"), noRays), Standing::Unfit);
   EXPECT_EQ(KindOf(Map(1024), noRays), Standing::Assumed);
   noRays.receivesTranslucent = true;
-  EXPECT_EQ(vtkshadows::StandingOf(Named("ray-cast"), noRays, {}).why, "this build has none");
+  EXPECT_EQ(
+    vtkshadows::StandingOf(ShadowSetting::By("ray-cast"), noRays, {}).why, "this build has none");
 
   EXPECT_EQ(KindOf(Map(2048), plain, true), Standing::Unfit);
   EXPECT_EQ(KindOf(Map(2048, "exact"), plain, true), Standing::Unfit);
@@ -108,7 +99,7 @@ TEST(TechniqueChoice, WhatASceneAsks)
 // Sample lights, each exact, are measured where there is a truth.
 TEST(TechniqueChoice, SampleLightsAreMeasured)
 {
-  ShadowSetting volumes = Named("stencil-volume");
+  ShadowSetting volumes = ShadowSetting::By("stencil-volume");
   volumes.samples = 8;
   EXPECT_EQ(KindOf(volumes, Plain(), true), Standing::Measured);
   EXPECT_EQ(KindOf(volumes, Plain(), false), Standing::Exact);
@@ -120,7 +111,7 @@ TEST(TechniqueChoice, SampleLightsAreMeasured)
   EXPECT_EQ(KindOf(volumes, large, true), Standing::Exact);
   EXPECT_EQ(KindOf(Map(2048), large), Standing::Assumed);
 
-  ShadowSetting textured = Named("planar");
+  ShadowSetting textured = ShadowSetting::By("planar");
   textured.resolution = 2048;
   SceneNeeds flat = Plain();
   EXPECT_EQ(KindOf(textured, flat), Standing::Unfit);
@@ -212,7 +203,7 @@ TEST(TechniqueChoice, Explanations)
   budget.maximumError = 0.01;
   budget.maximumSeconds = 0.010;
   reasons = {};
-  reasons.setting = Named("stencil-volume");
+  reasons.setting = ShadowSetting::By("stencil-volume");
   reasons.standing.kind = Standing::Exact;
   reasons.seconds = 0.0201;
   EXPECT_EQ(vtkshadows::Explain(reasons, budget),
