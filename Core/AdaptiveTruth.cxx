@@ -19,6 +19,38 @@ double LotOf(std::size_t pixel)
   return static_cast<double>(bits >> 11) * 0x1.0p-53;
 }
 
+// Pixels of a kind, and what their sample says.
+struct Stratum
+{
+  double all = 0.0, sampled = 0.0;
+  double shadow = 0.0, mismatch = 0.0, partial = 0.0; // pixels
+  double absolute = 0.0, squares = 0.0;               // of the differences
+  double inPenumbra = 0.0, squaresInPenumbra = 0.0;   // the same, of partial pixels
+
+  void Add(const PixelDifference& pixel, float truth)
+  {
+    const double square = pixel.absolute * pixel.absolute;
+    this->sampled += 1.0;
+    this->shadow += truth > 0.5f ? 0.0 : 1.0;
+    this->mismatch += pixel.isMismatch ? 1.0 : 0.0;
+    this->partial += pixel.isPartial ? 1.0 : 0.0;
+    this->absolute += pixel.absolute;
+    this->squares += square;
+    this->inPenumbra += pixel.isPartial ? pixel.absolute : 0.0;
+    this->squaresInPenumbra += pixel.isPartial ? square : 0.0;
+  }
+
+  // Of the sum over all pixels as the sample has it, of values with that sum and sum of squares;
+  // or of that over as many more that they all stand for.
+  double VarianceOfSum(double sum, double squared, bool standsForMore = false) const
+  {
+    const double n = std::max(this->sampled, 1.0), mean = sum / n;
+    const double variance = std::max(squared / n - mean * mean, 0.0);
+    const double unseen = standsForMore ? this->all : std::max(this->all - this->sampled, 0.0);
+    return this->all * unseen * variance / n;
+  }
+};
+
 bool IsGrossVerdict(PixelVerdict verdict)
 {
   return verdict == PixelVerdict::GrossFalseShadow || verdict == PixelVerdict::GrossMissedShadow;
@@ -74,19 +106,30 @@ bool AdaptiveTruth::Begin(const Settings& settings, std::vector<PixelRole> roles
   }
 
   this->IsPartial = MarkPartial(settings.width, settings.height, this->Truth, this->Roles);
+  this->Times = 1.0;
+  return this->TraceSample();
+}
+
+// The pixels of the sample that have not been traced finely yet.
+bool AdaptiveTruth::TraceSample()
+{
+  const std::size_t pixels = this->Roles.size();
   double counts[2] = { 0.0, 0.0 };
   for (std::size_t i = 0; i < pixels; ++i)
   {
     counts[this->IsPartial[i]] += this->Roles[i] == PixelRole::Measured;
   }
-  const double shares[2] = { settings.otherPixels / std::max(counts[0], 1.0),
-    settings.partialPixels / std::max(counts[1], 1.0) };
+  const double shares[2] = { this->Times * this->With.otherPixels / std::max(counts[0], 1.0),
+    this->Times * this->With.partialPixels / std::max(counts[1], 1.0) };
+  std::vector<unsigned char> which(pixels, 0);
   for (std::size_t i = 0; i < pixels; ++i)
   {
-    this->IsSample[i] =
-      this->Roles[i] == PixelRole::Measured && LotOf(i) < shares[this->IsPartial[i]];
+    const bool isNew = !this->IsSample[i] && this->Roles[i] == PixelRole::Measured &&
+      LotOf(i) < shares[this->IsPartial[i]];
+    this->IsSample[i] |= isNew;
+    which[i] = isNew && !this->IsFine[i];
   }
-  return this->TraceFinely(this->IsSample);
+  return this->TraceFinely(which);
 }
 
 // Those that hang on the ray epsilon by the coarse rays are uncertain from then on.
@@ -165,7 +208,17 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
   const double refuted = (1.0 - wrongShare) * static_cast<double>(unchecked);
   const double gross = static_cast<double>(all.GrossPixels());
   const double kept = gross > 0.0 ? std::max(gross - refuted, 0.0) / gross : 0.0;
-  error = this->DifferencesOf(visibility);
+  Deviations deviations;
+  error = this->DifferencesOf(visibility, deviations);
+  while (this->Times < this->With.mostTimes && this->HangsOnSample(error, deviations))
+  {
+    this->Times *= 2.0;
+    if (!this->TraceSample())
+    {
+      return false;
+    }
+    error = this->DifferencesOf(visibility, deviations);
+  }
   error.receiverPixels = all.receiverPixels;
   error.uncertainPixels = all.uncertainPixels;
   error.grossFalsePixels = static_cast<std::size_t>(std::lround(kept * all.grossFalsePixels));
@@ -174,37 +227,75 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
 }
 
 //------------------------------------------------------------------------------
-// Of the sample, as of all pixels; gross ones are not counted.
-VisibilityError AdaptiveTruth::DifferencesOf(const std::vector<float>& visibility) const
+// Whether chance decides on which side of a limit a mean lies, and the other is not beyond its own.
+bool AdaptiveTruth::HangsOnSample(const VisibilityError& error, const Deviations& deviations) const
 {
-  double all[2] = { 0.0, 0.0 }, sampled[2] = { 0.0, 0.0 };
+  // Standard errors that a mean is below its limit by; surely, if nothing is uncertain.
+  const auto below = [](double mean, double limit, double deviation)
+  {
+    return limit <= 0.0 ? SureDeviations
+      : deviation > 0.0 ? (limit - mean) / deviation
+      : mean <= limit   ? SureDeviations
+                        : -SureDeviations;
+  };
+  const double mean = below(error.MeanAbsoluteDifference(), this->With.meanLimit, deviations.mean);
+  const double penumbra =
+    below(error.MeanPenumbraDifference(), this->With.penumbraLimit, deviations.penumbra);
+  const double worst = std::min(mean, penumbra);
+  return std::abs(worst) < SureDeviations;
+}
+
+//------------------------------------------------------------------------------
+// Of the sample, as of all pixels; gross ones are not counted. Standard errors are those of a
+// stratified sample without replacement and of a ratio (W. Cochran: Sampling Techniques, 1977).
+VisibilityError AdaptiveTruth::DifferencesOf(
+  const std::vector<float>& visibility, Deviations& deviations) const
+{
+  Stratum strata[2];
   for (std::size_t i = 0; i < visibility.size(); ++i)
   {
-    const bool isMeasured = this->Roles[i] == PixelRole::Measured;
-    all[this->IsPartial[i]] += isMeasured;
-    sampled[this->IsPartial[i]] += isMeasured && this->IsSample[i];
-  }
-  const double weights[2] = { all[0] / std::max(sampled[0], 1.0),
-    all[1] / std::max(sampled[1], 1.0) };
-  double shadow = 0.0, mismatch = 0.0, penumbra = 0.0;
-  VisibilityError error;
-  for (std::size_t i = 0; i < visibility.size(); ++i)
-  {
-    if (this->IsSample[i] && this->Roles[i] == PixelRole::Measured)
+    if (this->Roles[i] == PixelRole::Measured)
     {
-      const double weight = weights[this->IsPartial[i]];
-      const PixelDifference pixel = DifferenceOf(visibility[i], this->Truth[i]);
-      shadow += this->Truth[i] > 0.5f ? 0.0 : weight;
-      mismatch += pixel.isMismatch ? weight : 0.0;
-      penumbra += pixel.isPartial ? weight : 0.0;
-      error.sumAbsoluteDifference += weight * pixel.absolute;
-      error.sumPenumbraDifference += pixel.isPartial ? weight * pixel.absolute : 0.0;
+      Stratum& stratum = strata[this->IsPartial[i]];
+      stratum.all += 1.0;
+      if (this->IsSample[i])
+      {
+        stratum.Add(DifferenceOf(visibility[i], this->Truth[i]), this->Truth[i]);
+      }
     }
   }
+  double shadow = 0.0, mismatch = 0.0, penumbra = 0.0, receivers = 0.0;
+  VisibilityError error;
+  for (const Stratum& stratum : strata)
+  {
+    const double weight = stratum.all / std::max(stratum.sampled, 1.0);
+    receivers += stratum.all;
+    shadow += weight * stratum.shadow;
+    mismatch += weight * stratum.mismatch;
+    penumbra += weight * stratum.partial;
+    error.sumAbsoluteDifference += weight * stratum.absolute;
+    error.sumPenumbraDifference += weight * stratum.inPenumbra;
+  }
   const auto whole = [](double count) { return static_cast<std::size_t>(std::lround(count)); };
+  error.receiverPixels = whole(receivers);
   error.shadowPixels = whole(shadow);
   error.mismatchPixels = whole(mismatch);
   error.penumbraPixels = whole(penumbra);
+
+  const double ratio = error.MeanPenumbraDifference();
+  double ofMean = 0.0, ofPenumbra = 0.0, ofMore = 0.0;
+  for (const Stratum& stratum : strata)
+  {
+    const double residual = stratum.inPenumbra - ratio * stratum.partial;
+    const double squares = stratum.squaresInPenumbra - 2.0 * ratio * stratum.inPenumbra +
+      ratio * ratio * stratum.partial;
+    ofMean += stratum.VarianceOfSum(stratum.absolute, stratum.squares);
+    ofPenumbra += stratum.VarianceOfSum(residual, squares);
+    ofMore += stratum.VarianceOfSum(residual, squares, true);
+  }
+  deviations.mean = std::sqrt(ofMean) / std::max(receivers, 1.0);
+  deviations.penumbra = std::sqrt(ofPenumbra) / std::max(penumbra, 1.0);
+  error.penumbraDeviation = std::sqrt(ofMore) / std::max(penumbra, 1.0);
   return error;
 }
 

@@ -29,10 +29,16 @@ public:
     int height = 0;
     int coarse = 8;             // rays at every pixel
     int fine = 256;             // rays where it is partial
-    double partialPixels = 8e3; // in or beside what seems partial, from which differences are told
-    double otherPixels = 3e3;   // and elsewhere, where few rays may have missed a part
+    double partialPixels = 2e3; // in or beside what seems partial, from which differences are told
+    double otherPixels = 1e3;   // and elsewhere, where few rays may have missed a part
     double edgeDistance = GrossDistance; // pixels, as of MeasureVisibility
     std::size_t checked = 1000; // pixels a measure that are traced finely for seeming gross
+    // Mean differences, over all pixels and over the penumbra's, 0 to 1, that decide about what is
+    // measured; 0: none. As long as one is too close to be told from it, more pixels are traced
+    // finely, up to so many times the above.
+    double meanLimit = 0.0;
+    double penumbraLimit = 0.0;
+    double mostTimes = 16.0;
   };
 
   // `roles`: one a pixel, none of them Uncertain yet. false if a trace fails.
@@ -47,12 +53,22 @@ public:
   std::size_t GetFinePixels() const;
 
 private:
+  // Standard errors of the means of a sample.
+  struct Deviations
+  {
+    double mean = 0.0;
+    double penumbra = 0.0;
+  };
+
   bool TraceFinely(const std::vector<unsigned char>& which);
-  VisibilityError DifferencesOf(const std::vector<float>& visibility) const;
+  bool TraceSample();
+  VisibilityError DifferencesOf(const std::vector<float>& visibility, Deviations& deviations) const;
+  bool HangsOnSample(const VisibilityError& error, const Deviations& deviations) const;
   VisibilityImages ImagesOf(const std::vector<float>& visibility) const;
 
   Settings With;
   Trace Tracer;
+  double Times = 1.0; // as many pixels in the sample as Settings has
   std::vector<float> Truth;
   std::vector<PixelRole> Roles;
   std::vector<unsigned char> IsPartial; // or beside what seems so

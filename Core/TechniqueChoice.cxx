@@ -143,7 +143,8 @@ Standing StandingOf(const ShadowSetting& setting, const SceneNeeds& scene, const
 ErrorPercents ErrorPercents::Of(const VisibilityError& error, bool isSampled)
 {
   return { error.MismatchPercent(), error.GrossPercent(), 100.0 * error.MeanAbsoluteDifference(),
-    100.0 * error.MeanPenumbraDifference(), static_cast<double>(error.receiverPixels), isSampled };
+    100.0 * error.MeanPenumbraDifference(), static_cast<double>(error.receiverPixels), isSampled,
+    100.0 * error.penumbraDeviation };
 }
 
 //------------------------------------------------------------------------------
@@ -172,10 +173,19 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
                 : margin * error.mismatch <= MostMismatchPercent;
 }
 
-bool HangsOnFewPixels(const ErrorPercents& error)
+bool HangsOnFewPixels(const ErrorPercents& error, bool isSoft)
 {
   constexpr double Few = 4.5;
-  return error.isSampled && IsGross(error) && 0.01 * error.gross * error.pixels < Few;
+  const bool isGross = IsGross(error);
+  const bool hangsOnGross = isGross && 0.01 * error.gross * error.pixels < Few;
+  const bool hangsOnPenumbra = isSoft &&
+    std::abs(error.penumbraDifference - MostPenumbraDifferencePercent) <
+      SureDeviations * error.penumbraDeviation;
+  // If these were in its favour.
+  ErrorPercents atBest = error;
+  atBest.gross = hangsOnGross ? 0.0 : error.gross;
+  atBest.penumbraDifference = hangsOnPenumbra ? 0.0 : error.penumbraDifference;
+  return error.isSampled && (hangsOnGross || hangsOnPenumbra) && IsWithin({}, atBest, isSoft, 1.0);
 }
 
 std::string BudgetText(const ShadowBudget& budget)

@@ -109,6 +109,7 @@ struct ErrorPercents
   double penumbraDifference = 0.0; // mean, of the penumbra's pixels
   double pixels = 0.0;             // that were measured
   bool isSampled = false;          // they stand for more of them
+  double penumbraDeviation = 0.0;  // standard error of penumbraDifference then; 0: not known
   bool isBySampleLights = false;   // whose number decides about the penumbra, and hardly the view
 
   bool isOfNothing = false; // no pixel could be measured: the light falls on none in view
@@ -140,8 +141,10 @@ constexpr double MostPenumbraDifferencePercent = 4.0;
 bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSoft, double margin);
 // Whether it has gross error, which no budget of error is held against.
 bool IsGross(const ErrorPercents& error, double margin = 1.0);
-// Whether it is gross by so few of a sample's pixels that chance decides: all are to be looked at.
-bool HangsOnFewPixels(const ErrorPercents& error);
+// Whether chance decides, without a budget of error: it is gross by so few of a sample's pixels, or
+// its penumbra is so close to the limit; and nothing else decides. All pixels are to be looked at
+// then.
+bool HangsOnFewPixels(const ErrorPercents& error, bool isSoft);
 // "no gross error" or "at most 0.5 % wrong".
 std::string BudgetText(const ShadowBudget& budget);
 // The figure that a budget is about: "0.3 % gross".

@@ -44,6 +44,8 @@ struct VisibilityError
   double sumAbsoluteDifference = 0.0;
   std::size_t penumbraPixels = 0;     // Measured, visibility or truth between 0 and 1
   double sumPenumbraDifference = 0.0; // absolute
+  // Standard error of MeanPenumbraDifference, if the pixels stand for others; 0: not known.
+  double penumbraDeviation = 0.0;
 
   std::size_t GrossPixels() const { return this->grossFalsePixels + this->grossMissedPixels; }
   double MismatchPercent() const;        // of the receiver pixels; 0 if there are none
@@ -51,6 +53,9 @@ struct VisibilityError
   double MeanAbsoluteDifference() const; // over the receiver pixels; 0 if there are none
   double MeanPenumbraDifference() const; // over the penumbra pixels; 0 if there are none
 };
+
+// Standard errors from which on a mean is told from a limit.
+constexpr double SureDeviations = 2.5;
 
 // Of one pixel: what its visibility differs from the truth by.
 struct PixelDifference

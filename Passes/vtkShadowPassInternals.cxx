@@ -210,13 +210,20 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
       errors.clear();
       return this->MeasureErrors(view->second, plan, name, measured, errors, drawingSeconds);
     };
-    const auto isUnclear = [](const std::optional<vtkshadows::ErrorPercents>& error)
-    { return error && vtkshadows::HangsOnFewPixels(*error); };
+    const auto isUnclear = [&]()
+    {
+      for (std::size_t i = 0; i < errors.size(); ++i)
+      {
+        const bool isSoft = this->Scene->GetLights()[measured[i]].Ray.radius > 0.0;
+        if (errors[i] && vtkshadows::HangsOnFewPixels(*errors[i], isSoft))
+        {
+          return true;
+        }
+      }
+      return false;
+    };
     const bool done = measure(false);
-    return done && !this->Chooser.GetBudget().maximumError &&
-        std::any_of(errors.begin(), errors.end(), isUnclear)
-      ? measure(true)
-      : done;
+    return done && !this->Chooser.GetBudget().maximumError && isUnclear() ? measure(true) : done;
   };
   const std::vector<std::string> names = this->Chooser.Choose(request);
   for (auto& view : views)

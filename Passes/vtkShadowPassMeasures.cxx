@@ -98,6 +98,9 @@ bool vtkShadowPass::Internals::MeasureSoftError(
     settings.coarse = CoarseSamples;
     settings.fine = std::max(vtkshadows::TruthSamples, this->SamplesOfTruth());
     settings.edgeDistance = vtkshadows::GrossDistance * view.Scale;
+    const std::optional<double> maximumError = this->Chooser.GetBudget().maximumError;
+    settings.meanLimit = 0.01 * maximumError.value_or(vtkshadows::MostSoftDifferencePercent);
+    settings.penumbraLimit = maximumError ? 0.0 : 0.01 * vtkshadows::MostPenumbraDifferencePercent;
     const auto trace = [this, &view, light](int samples, double epsilonScale,
                          const std::vector<unsigned char>& which, std::vector<float>& visibility)
     {

@@ -27,9 +27,9 @@ struct Picture
   AdaptiveTruth truth;
   std::size_t rays = 0;
 
-  explicit Picture(double epsilonAt = 1e9)
+  explicit Picture(
+    double epsilonAt = 1e9, AdaptiveTruth::Settings settings = AdaptiveTruth::Settings())
   {
-    AdaptiveTruth::Settings settings;
     settings.width = Width;
     settings.height = Height;
     settings.partialPixels = 3000.0;
@@ -97,6 +97,35 @@ TEST(AdaptiveTruth, DifferencesOfFewSamples)
     EXPECT_NEAR(error.MeanPenumbraDifference(), 0.25 / samples, 0.02 / samples) << samples;
     EXPECT_NEAR(error.MeanAbsoluteDifference(), 0.25 / samples * 60.0 / Width, 0.01 / samples);
   }
+}
+
+// Beside a limit chance would decide; far from it more rays tell nothing.
+TEST(AdaptiveTruth, MorePixelsBesideALimit)
+{
+  const auto finePixels = [](double mean, double penumbra, double& found)
+  {
+    AdaptiveTruth::Settings settings;
+    settings.meanLimit = mean;
+    settings.penumbraLimit = penumbra;
+    settings.mostTimes = 4.0;
+    Picture picture(1e9, settings);
+    found = picture.Measure(Right(4)).MeanPenumbraDifference();
+    return static_cast<double>(picture.truth.GetFinePixels());
+  };
+  double expected = 0.0;
+  for (int x = 0; x < Width; ++x)
+  {
+    expected += std::abs(Edge(x, 4) - Edge(x, 256)) / 59.0; // so many columns are partly lit
+  }
+  double some = 0.0, all = 0.0;
+  const double usual = finePixels(0.0, 0.0, some);
+  EXPECT_NEAR(usual, 5000.0, 250.0);
+  EXPECT_EQ(finePixels(0.1, 0.1, some), usual);
+  EXPECT_NEAR(finePixels(0.0, expected, all), 4.0 * usual, 0.2 * usual);
+  // Nine in ten of the penumbra's pixels are known then, but for its rims.
+  EXPECT_NEAR(all, expected, 0.01 * expected);
+  EXPECT_GT(std::abs(some - all), 1e-6);
+  EXPECT_GT(finePixels(expected * 59.0 / Width, 0.0, some), 1.5 * usual);
 }
 
 // Rims of a penumbra that eight rays do not see count as they do: ten times as many pixels as the

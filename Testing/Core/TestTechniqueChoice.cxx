@@ -137,15 +137,28 @@ TEST(TechniqueChoice, Budgets)
   one.pixels = 2.0e4;
   one.gross = 100.0 / one.pixels;
   EXPECT_TRUE(vtkshadows::IsWithin({}, one, false, 1.25));
-  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(one));
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(one, false));
   one.isSampled = true;
   EXPECT_FALSE(vtkshadows::IsWithin({}, one, false, 1.0));
-  EXPECT_TRUE(vtkshadows::HangsOnFewPixels(one));
+  EXPECT_TRUE(vtkshadows::HangsOnFewPixels(one, false));
   one.gross *= 5.0;
-  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(one)) << "five are no chance";
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(one, false)) << "five are no chance";
   one.isSampled = false;
   one.gross = 2.0 * 100.0 / one.pixels;
   EXPECT_FALSE(vtkshadows::IsWithin({}, one, false, 1.0));
+  // So is a penumbra of some pixels whose mean is too close to the limit to be told from it.
+  vtkshadows::ErrorPercents blurred;
+  blurred.pixels = 2.0e4;
+  blurred.penumbraDifference = 1.02 * vtkshadows::MostPenumbraDifferencePercent;
+  blurred.penumbraDeviation = 0.02 * vtkshadows::MostPenumbraDifferencePercent;
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(blurred, true)) << "of all pixels";
+  blurred.isSampled = true;
+  EXPECT_TRUE(vtkshadows::HangsOnFewPixels(blurred, true));
+  blurred.penumbraDifference = 1.06 * vtkshadows::MostPenumbraDifferencePercent;
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(blurred, true)) << "three deviations off";
+  blurred.penumbraDifference = 1.02 * vtkshadows::MostPenumbraDifferencePercent;
+  blurred.meanDifference = 2.0 * vtkshadows::MostSoftDifferencePercent;
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(blurred, true)) << "refused whatever its penumbra is";
   // Of thin things every pixel is near to an edge, and none is gross.
   vtkshadows::ErrorPercents thin;
   thin.mismatch = 2.0 * vtkshadows::MostMismatchPercent;

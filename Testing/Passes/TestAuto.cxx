@@ -1,22 +1,13 @@
 // Technique "auto": what it takes for which scene, that it keeps to its budgets, says why, and
 // neither flickers nor builds what is not required.
-#include "Scenes.h"
-#include "ShadowTest.h"
-
-#include "vtkObjectIDShadowPass.h"
-#include "vtkPlanarShadowPass.h"
-#include "vtkShadowErrorMeasure.h"
+#include "AutoTest.h"
 
 #include <vtkCellArray.h>
-#include <vtkConeSource.h>
 #include <vtkLineSource.h>
-#include <vtkMatrix4x4.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSphereSource.h>
 
 #include <cmath>
 #include <limits>
@@ -28,65 +19,7 @@ using namespace shadowtest;
 namespace
 {
 
-class Auto : public ShadowTest
-{
-protected:
-  void SetUp() override
-  {
-    ShadowTest::SetUp();
-    this->Shadows->SetTechniqueToAuto();
-    this->Renderer->SetPass(this->Shadows);
-  }
-
-  // A floor, a sphere and a cone under a sun.
-  void MakeStillLife()
-  {
-    this->Floor = AddFloor(this->Renderer, 5.0);
-    this->Ball = AddSphere(this->Renderer, { 0.0, 0.0, 1.2 }, 0.8);
-    vtkNew<vtkConeSource> cone;
-    cone->SetCenter(1.6, 0.8, 0.8);
-    cone->SetResolution(30);
-    AddActor(this->Renderer, cone);
-    this->Sun = AddSun(this->Renderer, { 0.4, 0.3, -1.0 });
-    LookAt(this->Renderer, { 4.0, -8.0, 5.0 }, { 0.0, 0.0, 0.5 });
-  }
-
-  // Renders until the choice is made; how many frames that took.
-  int Settle(int most = 60)
-  {
-    int frames = 0;
-    do
-    {
-      this->Render();
-      ++frames;
-    } while (!this->Shadows->GetChoiceIsSettled() && frames < most);
-    EXPECT_TRUE(this->Shadows->GetChoiceIsSettled()) << "in " << frames << " frames";
-    this->Render(); // by what was chosen
-    return frames;
-  }
-
-  std::string Chosen(vtkLight* light) { return this->Shadows->GetChosenTechnique(light); }
-
-  // The choice is one of these, the explanation begins with it, and all of `parts` are in it.
-  void ExpectChosen(
-    vtkLight* light, const std::set<std::string>& names, const std::vector<std::string>& parts = {})
-  {
-    const std::string explanation = this->Shadows->GetExplanation(light);
-    std::printf("       %s\n", explanation.c_str());
-    EXPECT_EQ(names.count(this->Chosen(light)), 1u) << explanation;
-    EXPECT_EQ(explanation.find(this->Chosen(light)), 0u) << explanation;
-    EXPECT_EQ(explanation.back(), '.');
-    for (const std::string& part : parts)
-    {
-      EXPECT_NE(explanation.find(part), std::string::npos) << part << " in " << explanation;
-    }
-  }
-
-  vtkIdType Builds() { return this->Shadows->GetDepthShadowMapPass()->GetNumberOfMapBuilds(); }
-
-  vtkSmartPointer<vtkActor> Floor, Ball;
-  vtkSmartPointer<vtkLight> Sun;
-};
+using Auto = AutoTest;
 
 }
 
@@ -262,112 +195,6 @@ TEST_F(Auto, FlatReceiversMayBePlanar)
 }
 
 //------------------------------------------------------------------------------
-TEST_F(Auto, SoftLights)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(200, 150);
-  this->MakeStillLife();
-  this->Shadows->SetLightRadius(this->Sun, 0.1);
-  vtkNew<vtkShadowErrorMeasure> error;
-  for (const double percent : { 0.0, 1.0 })
-  {
-    this->Shadows->SetMaximumError(percent);
-    this->Render();
-    this->ExpectChosen(this->Sun, { "depth-map", "stencil-volume", "ray-cast" });
-    ASSERT_TRUE(error->Measure(this->Renderer, this->Sun));
-    CheckAtMost("mean difference %", 100.0 * error->GetMeanAbsoluteDifference(),
-      percent > 0.0 ? percent : 1.0);
-    if (percent == 0.0)
-    {
-      CheckAtMost("penumbra %", 100.0 * error->GetMeanPenumbraDifference(), 4.0);
-    }
-    if (this->Chosen(this->Sun) == "depth-map")
-    {
-      const int filter = this->Shadows->GetDepthShadowMapPass()->GetFilter();
-      EXPECT_TRUE(
-        filter == vtkDepthShadowMapPass::SOFT || filter == vtkDepthShadowMapPass::SAMPLE_LIGHTS);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// A lawn, whose volumes cover each pixel many times: where 8 of them take far longer than rays that
-// serve, 16 and 32 are neither measured nor drawn.
-TEST_F(Auto, WhatIsSlowWithFewSamplesIsNotMeasuredWithMany)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  vtkshadows::SceneSize size;
-  size.detail = 0.25;
-  size.width = 160;
-  size.height = 120;
-  this->Resize(size.width, size.height);
-  const vtkshadows::SceneFacts facts = vtkshadows::BuildScene("grass", this->Renderer, size);
-  this->Sun = facts.lights[0].light;
-  this->Shadows->SetLightRadius(this->Sun, facts.lights[0].radius);
-  this->Settle(200);
-  this->ExpectChosen(this->Sun, { "ray-cast" }, { "stencil-volume (8 samples)" });
-  const std::string explanation = this->Shadows->GetExplanation(this->Sun);
-  for (const char* slow : { "stencil-volume (16 samples)", "stencil-volume (32 samples)" })
-  {
-    EXPECT_EQ(explanation.find(slow), std::string::npos) << explanation;
-  }
-}
-
-//------------------------------------------------------------------------------
-// Where no truth is known, as without Embree, no fewer samples are taken than a technique has.
-TEST_F(Auto, SoftLightsWithoutTruth)
-{
-  this->Resize(100, 75);
-  this->MakeStillLife();
-  vtkNew<vtkSphereSource> coarse;
-  coarse->SetCenter(0.0, 0.0, 1.2);
-  coarse->SetRadius(0.8);
-  coarse->Update();
-  vtkShadowPass::SetStandIn(this->Ball, coarse->GetOutput());
-  this->Shadows->SetLightRadius(this->Sun, 0.1);
-  this->Settle();
-  this->ExpectChosen(this->Sun, { "stencil-volume" }, { "32 samples", "each sample light" });
-  EXPECT_EQ(this->Shadows->GetStencilShadowVolumePass()->GetLightSamples(), 32);
-}
-
-//------------------------------------------------------------------------------
-// Numbers of samples are chosen, those of the user stay, and all are put back; the truth that is
-// measured against has the user's whatever was chosen.
-TEST_F(Auto, NumbersOfSamples)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(200, 150);
-  this->MakeStillLife();
-  this->Shadows->SetLightRadius(this->Sun, 0.1);
-  vtkRayCastShadowPass* rays = this->Shadows->GetRayCastShadowPass();
-  vtkStencilShadowVolumePass* volumes = this->Shadows->GetStencilShadowVolumePass();
-  vtkDepthShadowMapPass* maps = this->Shadows->GetDepthShadowMapPass();
-  volumes->SetLightSamples(5);
-  vtkNew<vtkShadowErrorMeasure> error;
-  for (const double percent : { 2.0, 0.03 })
-  {
-    this->Shadows->SetMaximumError(percent);
-    this->Settle();
-    EXPECT_EQ(volumes->GetLightSamples(), 5);
-    ASSERT_TRUE(error->Measure(this->Renderer, this->Sun));
-    CheckAtMost(this->Shadows->GetExplanation(this->Sun),
-      100.0 * error->GetMeanAbsoluteDifference(), percent);
-    if (this->Chosen(this->Sun) == "ray-cast" && rays->GetLightSamples() < 64)
-    {
-      // Against itself it would be right to the last pixel.
-      CheckAtLeast("difference from the truth", error->GetMeanAbsoluteDifference(), 1.0e-6);
-    }
-  }
-  this->Shadows->SetTechnique("stencil-volume");
-  this->Render();
-  EXPECT_EQ(rays->GetLightSamples(), 64);
-  EXPECT_EQ(maps->GetLightSamples(), 64);
-  EXPECT_EQ(maps->GetFilter(), static_cast<int>(vtkDepthShadowMapPass::PERCENTAGE_CLOSER));
-  EXPECT_EQ(volumes->GetLightSamples(), 5);
-  EXPECT_FALSE(this->Shadows->GetPlanarShadowPass()->GetPlaneTextures());
-}
-
-//------------------------------------------------------------------------------
 // What a scene does not require is neither built nor drawn.
 TEST_F(Auto, NothingIsBuiltThatIsNotRequired)
 {
@@ -442,11 +269,14 @@ TEST_F(Auto, MovingLight)
   EXPECT_TRUE(this->Shadows->GetChoiceIsSettled());
   // Three ways are timed twice each, and then one is taken.
   CheckAtMost("changes of technique in 60 frames", changes, 7.0);
-  for (int i = 0; i < 3; ++i)
+  // Where it stands now measures of before may be of another picture, and new ones wait until
+  // frames have taken 20 times as long as they did.
+  const auto now = [this]() { return this->Shadows->GetExplanation(this->Sun).substr(0, 20); };
+  for (int i = 0; i < 3 || (i < 2000 && now() != atRest); ++i)
   {
     this->Render();
   }
-  EXPECT_EQ(this->Shadows->GetExplanation(this->Sun).substr(0, 20), atRest);
+  EXPECT_EQ(now(), atRest) << this->Shadows->GetExplanation(this->Sun);
 }
 
 //------------------------------------------------------------------------------
