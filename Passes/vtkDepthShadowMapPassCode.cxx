@@ -156,7 +156,7 @@ void vtkDepthShadowMapPass::ActivateTextures()
   {
     my.Maps.CompareDepths(true);
   }
-  my.Maps.Activate();
+  this->Superclass::ActivateTextures();
   my.Sampled.Textures.Activate();
   my.Transmittance.Activate();
   if (this->Filter == EXACT)
@@ -168,7 +168,7 @@ void vtkDepthShadowMapPass::ActivateTextures()
 void vtkDepthShadowMapPass::DeactivateTextures()
 {
   Internals& my = *this->Internal;
-  my.Maps.Deactivate();
+  this->Superclass::DeactivateTextures();
   my.Sampled.Textures.Deactivate();
   my.Transmittance.Deactivate();
   my.Triangles.Deactivate();

@@ -9,6 +9,7 @@
 #include "vtkShadowSceneData.h"
 #include "vtkShadowText.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTextureBuffer.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderer.h"
@@ -51,6 +52,7 @@ vtkshadows::CascadeEye EyeOf(const vtkShadowFrame& frame, vtkCamera* camera)
 //------------------------------------------------------------------------------
 vtkMapShadowPass::vtkMapShadowPass()
   : Views(new vtkShadowMapViews)
+  , Rows(new vtkShadowTextureBuffer)
 {
 }
 
@@ -195,7 +197,33 @@ bool vtkMapShadowPass::UpdateVisibility(const vtkShadowFrame& frame, const std::
   {
     this->LookupStamp.Modified();
   }
+  this->UploadRows(frame);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// What pixels of one light look up by an index of their own: the faces of cubes, then cascades.
+void vtkMapShadowPass::UploadRows(const vtkShadowFrame& frame)
+{
+  std::vector<float> rows;
+  for (const std::vector<vtkShadowMapViews::Row>* part :
+    { &this->Views->Faces(), &this->Views->Cascades() })
+  {
+    for (const vtkShadowMapViews::Row& row : *part)
+    {
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+  }
+  if (rows.empty())
+  {
+    this->Rows->Release();
+    this->UploadedRows.clear();
+  }
+  else if (rows != this->UploadedRows || !this->Rows->IsOf(frame.Window))
+  {
+    this->Rows->Upload(frame.Window, 4, rows);
+    this->UploadedRows = rows;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -270,21 +298,32 @@ const float* vtkMapShadowPass::GetLitMatrix() const
 
 void vtkMapShadowPass::SetLookupParameters(vtkShaderProgram* program, vtkProp*)
 {
-  const std::vector<vtkShadowMapViews::FaceParameters>& faces = this->Views->Faces();
-  if (!faces.empty())
+  if (this->Rows->Unit() >= 0)
   {
-    program->SetUniform4fv((this->GetLookupPrefix() + "Faces").c_str(),
-      static_cast<int>(faces.size()), reinterpret_cast<const float(*)[4]>(faces.data()));
+    program->SetUniformi((this->GetLookupPrefix() + "Rows").c_str(), this->Rows->Unit());
   }
-  const std::vector<vtkShadowMapViews::CascadeParameters>& rows = this->Views->Cascades();
-  const std::vector<vtkShadowMapViews::CascadeParameters>& reaches = this->Views->Reaches();
-  if (!rows.empty())
+  const std::vector<vtkShadowMapViews::Row>& reaches = this->Views->Reaches();
+  if (!reaches.empty())
   {
-    program->SetUniform4fv((this->GetLookupPrefix() + "CascadeRows").c_str(),
-      static_cast<int>(rows.size()), reinterpret_cast<const float(*)[4]>(rows.data()));
     program->SetUniform4fv((this->GetLookupPrefix() + "CascadeReaches").c_str(),
       static_cast<int>(reaches.size()), reinterpret_cast<const float(*)[4]>(reaches.data()));
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkMapShadowPass::ActivateTextures()
+{
+  this->Superclass::ActivateTextures();
+  if (!this->Views->Faces().empty() || !this->Views->Cascades().empty())
+  {
+    this->Rows->Activate();
+  }
+}
+
+void vtkMapShadowPass::DeactivateTextures()
+{
+  this->Rows->Deactivate();
+  this->Superclass::DeactivateTextures();
 }
 
 //------------------------------------------------------------------------------
@@ -303,6 +342,7 @@ bool vtkMapShadowPass::DrawDebugView(const vtkShadowFrame& frame, int slot, cons
 void vtkMapShadowPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->ForgetMaps();
+  this->Rows->Release();
   this->Superclass::ReleaseGraphicsResources(w);
 }
 

@@ -30,9 +30,11 @@
 #include "vtkTimeStamp.h" // for what shaders are written with
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for rows
 
 class vtkCamera;
 class vtkShadowMapViews;
+class vtkShadowTextureBuffer;
 struct vtkShadowMapRoles;
 struct vtkShadowMapSlot;
 struct vtkShadowMapView;
@@ -198,6 +200,8 @@ protected:
   const float* GetLookupMatrix(int slot, vtkProp*) const override;
   const float* GetLitMatrix() const override;
   void SetLookupParameters(vtkShaderProgram* program, vtkProp*) override;
+  void ActivateTextures() override;
+  void DeactivateTextures() override;
   vtkMTimeType GetReceiverStamp() const override { return this->LookupStamp.GetMTime(); }
 
   std::vector<std::string> GetDebugViews() const override;
@@ -233,12 +237,15 @@ private:
   vtkMapShadowPass(const vtkMapShadowPass&) = delete;
   void operator=(const vtkMapShadowPass&) = delete;
 
+  void UploadRows(const vtkShadowFrame& frame);
   void SetShare(const char* name, double share, double& setting);
   std::size_t NumberOfCascadedLights() const;
 
   vtkSmartPointer<vtkCamera> FitCamera;
   vtkTimeStamp LookupStamp; // of the functions and layers that shaders are written with
   std::unique_ptr<vtkShadowMapViews> Views;
+  std::unique_ptr<vtkShadowTextureBuffer> Rows;
+  std::vector<float> UploadedRows;
 };
 
 #endif

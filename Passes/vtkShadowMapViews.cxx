@@ -20,12 +20,12 @@ namespace
 using vtkshadows::BoxCorners;
 using vtkshadows::LightKind;
 using vtkshadows::LightView;
-using FaceParameters = vtkShadowMapViews::FaceParameters;
+using Row = vtkShadowMapViews::Row;
 
 constexpr int NoLayer = vtkShadowMapView::NoLayer;
 
 // A face on which nothing casts: every depth is nearer to the light.
-constexpr FaceParameters LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
+constexpr Row LitFace = { -1.0f, 0.0f, 0.0f, 1.0f };
 
 // Of a sum, how large its terms may be.
 double TermsOf(const glm::dvec4& row, double farthest)
@@ -34,8 +34,8 @@ double TermsOf(const glm::dvec4& row, double farthest)
 }
 
 // In a cube of which `unit` is 1.
-FaceParameters ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer,
-  int side, double unit, double riseTexels, double farthest)
+Row ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int layer, int side,
+  double unit, double riseTexels, double farthest)
 {
   const glm::dmat4 map = vtkShadowMatrix::MapFromClip(side, side) * view.clipFromView;
   const double slack = vtkShadowMapViews::DepthSlack(

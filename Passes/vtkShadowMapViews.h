@@ -90,10 +90,9 @@ struct vtkShadowMapFit
 class vtkShadowMapViews
 {
 public:
-  // A matrix, a face of a cube, and a part of a cascade, as GLSL takes them.
+  // A matrix, and a row of numbers of a cube's face or of a cascade, as GLSL takes them.
   using ShaderMatrix = std::array<float, 16>;
-  using FaceParameters = std::array<float, 4>;
-  using CascadeParameters = std::array<float, 4>;
+  using Row = std::array<float, 4>;
 
   // Takes every point nearer to the light than any caster.
   static const ShaderMatrix LitEverywhere;
@@ -143,10 +142,10 @@ public:
   int Index(int slot) const { return this->Lookups[slot].Index; }
   const float* Matrix(int slot) const { return this->Matrices[slot].data(); }
   // Six a cube.
-  const std::vector<FaceParameters>& Faces() const { return this->CubeFaces; }
+  const std::vector<Row>& Faces() const { return this->CubeFaces; }
   // Two a cascade, as many for each cascaded light as there may be; and two a light.
-  const std::vector<CascadeParameters>& Cascades() const { return this->CascadeRows; }
-  const std::vector<CascadeParameters>& Reaches() const { return this->CascadeReaches; }
+  const std::vector<Row>& Cascades() const { return this->CascadeRows; }
+  const std::vector<Row>& Reaches() const { return this->CascadeReaches; }
 
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 
@@ -230,9 +229,9 @@ private:
   std::vector<CasterState> CasterStates;     // one a prop, for maps of its own
   std::vector<Lookup> Lookups;               // one a slot
   std::vector<ShaderMatrix> Matrices;
-  std::vector<FaceParameters> CubeFaces;
-  std::vector<CascadeParameters> CascadeRows;
-  std::vector<CascadeParameters> CascadeReaches;
+  std::vector<Row> CubeFaces;
+  std::vector<Row> CascadeRows;
+  std::vector<Row> CascadeReaches;
 };
 
 #endif

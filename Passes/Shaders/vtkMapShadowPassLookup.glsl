@@ -55,11 +55,15 @@ float shadowMapPerspective(int layer, vec4 q, vec4 dq1, vec4 dq2)
   return q.w > 0.0 ? visibility : 1.0;
 }
 
-#ifdef SHADOW_MAP_CUBES
-// The six faces of each cube: depth = x + y / (depth before the light), z the layer, w texels per tangent. See
-// Core/LightView.h for how they lie. Units as in shadowMapPlace.
-uniform vec4 shadowMapFaces[6 * SHADOW_MAP_CUBES];
+#if defined(SHADOW_MAP_CUBES) || defined(SHADOW_MAP_CASCADED_LIGHTS)
+// Rows of four numbers, of which each pixel wants other ones: cubes' faces, then cascades. A software rasteriser
+// fetches them by four here, and from uniforms one by one.
+uniform samplerBuffer shadowMapRows;
+#endif
 
+#ifdef SHADOW_MAP_CUBES
+// The six faces of each cube, a row each: depth = x + y / (depth before the light), z the layer, w texels per
+// tangent. See Core/LightView.h for how they lie. Units as in shadowMapPlace.
 // q: as seen from the light, in the cube's axes; normal: of the receiver's plane. Neither knows of faces, so
 // that it does not matter what face a neighbour is on.
 float shadowMapCube(int cube, vec4 q, vec3 normal)
@@ -69,7 +73,7 @@ float shadowMapCube(int cube, vec4 q, vec3 normal)
   bool isY = !isX && reach.y >= reach.z;
   vec3 r = isX ? q.yzx : isY ? q.zxy : q.xyz;
   vec2 n = isX ? normal.yz : isY ? normal.zx : normal.xy;
-  vec4 face = shadowMapFaces[6 * cube + (isX ? 0 : isY ? 2 : 4) + (r.z < 0.0 ? 1 : 0)];
+  vec4 face = texelFetch(shadowMapRows, 6 * cube + (isX ? 0 : isY ? 2 : 4) + (r.z < 0.0 ? 1 : 0));
 
   float inverse = 1.0 / r.z;
   float way = r.z < 0.0 ? -1.0 : 1.0;
@@ -97,8 +101,13 @@ float shadowMapCube(int cube, vec4 q, vec4 dq1, vec4 dq2)
 #ifdef SHADOW_MAP_CASCADED_LIGHTS
 // For each of SHADOW_MAP_CASCADES cascades of a light two: what is added in the map (texels, depth), and the
 // layer; and what the position is multiplied by before.
-uniform vec4 shadowMapCascadeRows[2 * SHADOW_MAP_CASCADES * SHADOW_MAP_CASCADED_LIGHTS];
-// Squares of the reaches of a light's cascades, but the last's; infinite, as floats go, where there is none.
+#ifdef SHADOW_MAP_CUBES
+const int shadowMapFirstCascade = 6 * SHADOW_MAP_CUBES;
+#else
+const int shadowMapFirstCascade = 0;
+#endif
+// Squares of the reaches of a light's cascades, but the last's; infinite, as floats go, where there is none. Alike for
+// all pixels, these are no dearer as uniforms.
 uniform vec4 shadowMapCascadeReaches[2 * SHADOW_MAP_CASCADED_LIGHTS];
 
 // q: in the light's axes, as seen from the eye: its length is the distance that a cascade is chosen by. slope: of
@@ -121,9 +130,9 @@ float shadowMapCascades(int light, vec4 q, vec2 slope)
   isBeyond = step(end * shadowMapCascadeReaches[2 * light + 1].xyz, vec3(square));
   beyond += isBeyond.x + isBeyond.y + isBeyond.z;
 #endif
-  int row = 2 * (SHADOW_MAP_CASCADES * light + int(beyond + 0.5));
-  vec4 offset = shadowMapCascadeRows[row];
-  vec3 scale = shadowMapCascadeRows[row + 1].xyz;
+  int row = shadowMapFirstCascade + 2 * (SHADOW_MAP_CASCADES * light + int(beyond + 0.5));
+  vec4 offset = texelFetch(shadowMapRows, row);
+  vec3 scale = texelFetch(shadowMapRows, row + 1).xyz;
   float visibility =
     shadowMapCompare(int(offset.w), q.xyz * scale + offset.xyz, slope * scale.z / scale.xy);
   return q.w > 0.0 ? 1.0 : visibility;
