@@ -41,34 +41,35 @@ std::ptrdiff_t DropNotFinite(vtkShadowCasterGeometry& geometry)
   return first;
 }
 
-// The triangles of `piece` in its mapper's own floats; fills all of `out` but its mesh.
-vtkShadowCasterGeometry ExtractInto(vtkShadowCasterMesh& out, const vtkShadowScene::Piece& piece)
+}
+
+//------------------------------------------------------------------------------
+vtkShadowCasterGeometry vtkShadowCasterMesh::Extract(const vtkShadowScene::Piece& piece)
 {
   const vtkShadowCasterGeometry::VertexPlace place =
     vtkShadowCasterGeometry::PlaceOfVertices(piece.Mapper);
-  out.ModelFromCaster = glm::scale(glm::translate(glm::dmat4(1.0), place.Shift), 1.0 / place.Scale);
+  this->ModelFromCaster =
+    glm::scale(glm::translate(glm::dmat4(1.0), place.Shift), 1.0 / place.Scale);
   const glm::dmat4 casterFromModel =
     glm::translate(glm::scale(glm::dmat4(1.0), place.Scale), -place.Shift);
   vtkShadowCasterGeometry geometry = vtkShadowCasterGeometry::Extract(
-    piece, casterFromModel, piece.WorldFromModel * out.ModelFromCaster);
-  out.Skipped =
+    piece, casterFromModel, piece.WorldFromModel * this->ModelFromCaster);
+  this->Skipped =
     geometry.Skipped.empty() && !geometry.Spheres.empty() ? "sphere impostors" : geometry.Skipped;
   const std::ptrdiff_t bad = DropNotFinite(geometry);
   if (bad >= 0)
   {
-    out.NotFinite =
+    this->NotFinite =
       "a point that is not finite (number " + std::to_string(bad) + " of its surface)";
   }
   return geometry;
-}
-
 }
 
 //------------------------------------------------------------------------------
 vtkShadowCasterMesh vtkShadowCasterMesh::Build(const vtkShadowScene::Piece& piece)
 {
   vtkShadowCasterMesh out;
-  vtkShadowCasterGeometry geometry = ExtractInto(out, piece);
+  vtkShadowCasterGeometry geometry = out.Extract(piece);
   out.Mesh =
     vtkshadows::BuildShadowMesh(std::move(geometry.Vertices), std::move(geometry.Triangles));
   return out;
@@ -79,7 +80,7 @@ vtkShadowCasterMesh vtkShadowCasterMesh::BuildInWorld(
   const vtkShadowScene::Piece& piece, glm::dmat4& worldFromCaster)
 {
   vtkShadowCasterMesh out;
-  vtkShadowCasterGeometry geometry = ExtractInto(out, piece);
+  vtkShadowCasterGeometry geometry = out.Extract(piece);
   vtkshadows::Box bounds;
   bounds.Add(piece.CornersWC);
   const glm::dvec3 middleWC = 0.5 * (bounds.minimum + bounds.maximum);

@@ -4,6 +4,7 @@
 #define vtkShadowCasterMesh_h
 
 #include "ShadowMesh.h"
+#include "vtkShadowCasterGeometry.h"
 #include "vtkShadowSceneData.h"
 
 #include <string>
@@ -14,6 +15,9 @@ struct vtkShadowCasterMesh
   glm::dmat4 ModelFromCaster{ 1.0 };
   std::string NotFinite; // a point at which triangles were left out; empty: there is none
   std::string Skipped;   // what of it is no triangle; empty: nothing
+
+  // The triangles alone, and all of this but its mesh.
+  vtkShadowCasterGeometry Extract(const vtkShadowScene::Piece& piece);
 
   static vtkShadowCasterMesh Build(const vtkShadowScene::Piece& piece);
 

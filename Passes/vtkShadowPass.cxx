@@ -134,6 +134,8 @@ void vtkShadowPass::RenderFrame(const vtkRenderState* s)
   const bool shadowed = !renderer->GetSelector() && this->Internal->Begin(frame, true, false);
   this->Internal->CulledReceivers =
     shadowed ? this->Internal->Shading->GetNumberOfCulledReceivers() : 0;
+  this->Internal->MergedCasters =
+    shadowed ? this->Internal->Shading->GetNumberOfMergedCasters() : 0;
   clock.Start(ShadingStage);
   if (this->Internal->Delegate)
   {
@@ -193,6 +195,16 @@ bool vtkShadowPass::GetCullingIsSettled() const
 int vtkShadowPass::GetNumberOfCulledReceivers() const
 {
   return this->Internal->CulledReceivers;
+}
+
+int vtkShadowPass::GetNumberOfMergedCasters() const
+{
+  return this->Internal->MergedCasters;
+}
+
+vtkIdType vtkShadowPass::GetMergedCasterMemory() const
+{
+  return static_cast<vtkIdType>(this->Internal->Shading->GetMergedCasterBytes());
 }
 
 //------------------------------------------------------------------------------
@@ -589,5 +601,6 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DebugLight: " << this->Internal->DebugLight.GetPointer() << "\n";
   os << indent << "CullHiddenFaces: " << this->GetCullHiddenFaces() << "\n";
   os << indent << "NumberOfCulledReceivers: " << this->GetNumberOfCulledReceivers() << "\n";
+  os << indent << "NumberOfMergedCasters: " << this->GetNumberOfMergedCasters() << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
 }

@@ -179,6 +179,17 @@ public:
 
   ///@{
   /**
+   * How many casters were drawn together with others, from one list of their triangles, in the
+   * last frame; each is counted once a view of a light. Small actors are, from their second draw in
+   * the same shape on: a draw of its own costs more than their triangles do. And the list's bytes,
+   * which are no technique's own.
+   */
+  int GetNumberOfMergedCasters() const;
+  vtkIdType GetMergedCasterMemory() const;
+  ///@}
+
+  ///@{
+  /**
    * Shadow strength of one light, 0 (lit everywhere, and nothing is computed) to 1 (default: no
    * light where it is not seen). Clamped.
    */

@@ -98,6 +98,7 @@ public:
   vtkShadowTechniqueChooser Chooser; // for the lights of "auto"
   bool WasSettled = true;            // its choice, in the last frame
   int CulledReceivers = 0;           // actors with faces left out of the last frame
+  int MergedCasters = 0;             // drawn with others in one go, in the last frame
 
   vtkShadowTechniquePass* Find(const std::string& name) const
   {

@@ -5,6 +5,7 @@
 #include "vtkShadowCatchers.h"
 #include "vtkShadowEyeFaces.h"
 #include "vtkShadowLightFalloffs.h"
+#include "vtkShadowMergedCasters.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTechniquePass.h"
@@ -30,6 +31,7 @@ vtkShadowedShadingPass::vtkShadowedShadingPass()
   : Catchers(new vtkShadowCatchers)
   , Falloffs(new vtkShadowLightFalloffs)
   , EyeFaces(new vtkShadowEyeFaces)
+  , MergedCasters(new vtkShadowMergedCasters)
   , WideFloors(new vtkShadowWideFloors)
 {
 }
@@ -104,6 +106,7 @@ void vtkShadowedShadingPass::Attach(const vtkShadowFrame& frame)
     this->ShaderStage.Modified();
   }
   this->Falloffs->Gather(frame, this->Plan);
+  this->MergedCasters->BeginFrame(frame);
   if (this->CullHiddenFaces)
   {
     this->EyeFaces->LeaveOut(frame);
@@ -185,6 +188,17 @@ void vtkShadowedShadingPass::ActivateTextures()
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowedShadingPass::GetNumberOfMergedCasters() const
+{
+  return this->MergedCasters->GetNumberDrawn();
+}
+
+std::size_t vtkShadowedShadingPass::GetMergedCasterBytes() const
+{
+  return this->MergedCasters->Bytes();
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowedShadingPass::GetNumberOfCulledReceivers() const
 {
   return this->CullHiddenFaces ? this->EyeFaces->NumberOfActors() : 0;
@@ -263,6 +277,7 @@ void vtkShadowedShadingPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Catchers->ReleaseMasks();
   this->Falloffs->Release(w);
+  this->MergedCasters->Release();
   this->Superclass::ReleaseGraphicsResources(w);
 }
 

@@ -39,6 +39,7 @@ class vtkShadowCasterCamera;
 class vtkShadowCatchers;
 class vtkShadowEyeFaces;
 class vtkShadowLightFalloffs;
+class vtkShadowMergedCasters;
 class vtkShadowWideFloors;
 struct vtkShadowFrame;
 namespace vtkshadows
@@ -109,6 +110,11 @@ public:
   int GetNumberOfCulledReceivers() const;
   bool IsCullingUndecided() const;
 
+  // Casters that were drawn in one go with others (see vtkShadowMergedCasters) since Attach, over
+  // all views.
+  int GetNumberOfMergedCasters() const;
+  std::size_t GetMergedCasterBytes() const;
+
   // Between UpdateVisibility of every technique in the plan and the frame's shading; Detach undoes
   // it.
   void ActivateTextures();
@@ -163,6 +169,8 @@ private:
   void operator=(const vtkShadowedShadingPass&) = delete;
 
   void DrawFromLight(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
+    const vtkshadows::LightView& view, Stage stage);
+  void DrawByMappers(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view, Stage stage);
   std::string Declarations() const;
   std::string PlaceObjects(std::string& vertexShader, bool byVertex) const;
@@ -220,6 +228,7 @@ private:
   std::unique_ptr<vtkShadowCatchers> Catchers;
   std::unique_ptr<vtkShadowLightFalloffs> Falloffs;
   std::unique_ptr<vtkShadowEyeFaces> EyeFaces;
+  std::unique_ptr<vtkShadowMergedCasters> MergedCasters;
   std::unique_ptr<vtkShadowWideFloors> WideFloors;
   bool CullHiddenFaces = false;
   std::string FalloffFault; // as it was last told

@@ -4,6 +4,7 @@
 #include "LightView.h"
 #include "vtkShadowCasterCamera.h"
 #include "vtkShadowCatchers.h"
+#include "vtkShadowMergedCasters.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowTechniquePass.h"
@@ -37,14 +38,28 @@ void vtkShadowedShadingPass::DrawTransmittance(const vtkShadowFrame& frame,
 void vtkShadowedShadingPass::DrawFromLight(const vtkShadowFrame& frame,
   const std::vector<std::size_t>& props, const vtkshadows::LightView& view, Stage stage)
 {
+  // What lies before the near plane still casts.
+  glEnable(GL_DEPTH_CLAMP);
+  this->DrawByMappers(frame,
+    stage == CASTERS
+      ? this->MergedCasters->Draw(frame, props, view, this->Culled, this->CastersWriteDepth)
+      : props,
+    view, stage);
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+void vtkShadowedShadingPass::DrawByMappers(const vtkShadowFrame& frame,
+  const std::vector<std::size_t>& props, const vtkshadows::LightView& view, Stage stage)
+{
+  if (props.empty())
+  {
+    return; // stages would be changed for nothing
+  }
   vtkRenderer* renderer = frame.Renderer;
   const vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->CasterCamera->SetView(view);
   renderer->SetActiveCamera(this->CasterCamera);
   this->SetStage(stage);
-  // What lies before the near plane still casts.
-  glEnable(GL_DEPTH_CLAMP);
-
   for (const std::size_t i : props)
   {
     const vtkShadowScene::Prop& prop = frame.Scene->GetProps()[i];
@@ -61,8 +76,6 @@ void vtkShadowedShadingPass::DrawFromLight(const vtkShadowFrame& frame,
       prop.Source->RenderOpaqueGeometry(renderer);
     }
   }
-
-  glDisable(GL_DEPTH_CLAMP);
   this->SetStage(SHADE);
   renderer->SetActiveCamera(eye);
 }

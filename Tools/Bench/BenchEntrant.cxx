@@ -120,6 +120,7 @@ std::int64_t BenchEntrant::Memory() const
   std::int64_t bytes = 0;
   for (const auto& pass : this->passes)
   {
+    bytes += pass ? pass->GetMergedCasterMemory() : 0;
     for (const std::string& name : TechniqueNames())
     {
       vtkShadowTechniquePass* technique = pass ? pass->GetTechniquePass(name) : nullptr;

@@ -1,0 +1,304 @@
+#include "vtkShadowMergedCasters.h"
+
+#include "vtkShadowCasterGeometry.h"
+#include "vtkShadowCasterMesh.h"
+#include "vtkShadowMatrix.h"
+#include "vtkShadowMergedCastersFS.h"
+#include "vtkShadowMergedCastersVS.h"
+#include "vtkShadowOpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace
+{
+
+constexpr std::size_t FirstBytes = std::size_t(1) << 16;
+// What is no longer drawn is left in the list up to this share of it.
+constexpr double MostUnused = 0.5;
+
+// Whether a prop draws its mapper's triangles and nothing else: an actor of VTK's own class. Others
+// may choose among several mappers as they draw.
+bool IsPlainActor(const vtkShadowScene::Prop& prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop.Source);
+  if (!actor || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0 || prop.Translucent ||
+    prop.Impostors || prop.Pieces.size() != 1 || actor->GetProperty()->GetVertexVisibility())
+  {
+    return false;
+  }
+  const vtkShadowScene::Piece& piece = prop.Pieces.front();
+  return piece.Prop == actor && piece.DrawnSolid && !piece.Mapper->GetClippingPlanes();
+}
+
+// Whether a piece may have a place in the list, told without its triangles.
+bool IsFit(const vtkShadowScene::Piece& piece)
+{
+  const auto* blocks = vtkShadowCasterGeometry::AttributesOf(piece.Mapper);
+  const vtkShadowCasterGeometry::Survey survey = vtkShadowCasterGeometry::SurveyOf(piece);
+  return !(blocks && blocks->HasBlockOpacities()) && survey.NoSurface.empty() &&
+    survey.NoFiniteSurface.empty() && !survey.HasSpheres &&
+    survey.Triangles <= vtkShadowMergedCasters::MostTriangles;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkShadowMergedCasters::~vtkShadowMergedCasters()
+{
+  this->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMergedCasters::Release()
+{
+  this->MatrixTexture.Release();
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    for (List* list : { &this->Vertices, &this->Indices })
+    {
+      glDeleteBuffers(1, &list->Buffer);
+    }
+  }
+  this->Vertices = {};
+  this->Indices = {};
+  this->NumberOfMatrices = 0;
+  this->Casters.BeginFrame({});
+  this->Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowMergedCasters::Bytes() const
+{
+  return this->Vertices.Capacity + this->Indices.Capacity + this->MatrixTexture.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMergedCasters::List::Append(const void* data, std::size_t bytes)
+{
+  if (this->Used + bytes > this->Capacity)
+  {
+    const std::size_t capacity = std::max({ FirstBytes, 2 * this->Capacity, this->Used + bytes });
+    unsigned int larger = 0;
+    glGenBuffers(1, &larger);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, larger);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity), nullptr, GL_STATIC_DRAW);
+    if (this->Buffer)
+    {
+      glBindBuffer(GL_COPY_READ_BUFFER, this->Buffer);
+      glCopyBufferSubData(
+        GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(this->Used));
+      glBindBuffer(GL_COPY_READ_BUFFER, 0);
+      glDeleteBuffers(1, &this->Buffer);
+    }
+    this->Buffer = larger;
+    this->Capacity = capacity;
+  }
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Buffer);
+  glBufferSubData(
+    GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(this->Used), static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  this->Used += bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMergedCasters::BeginFrame(const vtkShadowFrame& frame)
+{
+  if (this->Window != frame.Window)
+  {
+    this->Release();
+    this->Window = frame.Window;
+  }
+  this->NumberDrawn = 0;
+  this->Casters.BeginFrame(frame.Scene->GetProps());
+  std::size_t listed = 0;
+  this->Casters.ForEach([&listed](const Caster& caster) { listed += caster.Indices; });
+  const double used = static_cast<double>(this->Indices.Used / sizeof(std::uint32_t));
+  if (used - static_cast<double>(listed) > MostUnused * used)
+  {
+    this->Release();
+    this->Window = frame.Window;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShadowMergedCasters::Caster& vtkShadowMergedCasters::Known(const vtkShadowScene::Piece& piece)
+{
+  return this->Casters.Of(piece, []() { return Caster(); });
+}
+
+// Whether a prop can be drawn from the list, once it has been drawn by its mapper.
+bool vtkShadowMergedCasters::IsReady(const vtkShadowScene::Prop& prop)
+{
+  if (!IsPlainActor(prop))
+  {
+    return false;
+  }
+  const vtkShadowScene::Piece& piece = prop.Pieces.front();
+  Caster& caster = this->Known(piece);
+  if (!caster.WasDrawn)
+  {
+    caster.WasDrawn = true;
+    return false;
+  }
+  if (!caster.IsSurveyed)
+  {
+    caster.IsFit = IsFit(piece);
+    caster.IsSurveyed = true;
+  }
+  return caster.IsFit;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMergedCasters::Enlist(const vtkShadowScene::Piece& piece, Caster& caster)
+{
+  vtkShadowCasterMesh about;
+  const vtkShadowCasterGeometry geometry = about.Extract(piece);
+  const std::size_t texels = std::size_t(4) * (this->NumberOfMatrices + 1);
+  caster.IsFit = about.Skipped.empty() && texels <= vtkShadowTextureBuffer::LargestSize();
+  if (!caster.IsFit)
+  {
+    return;
+  }
+  caster.IsListed = true;
+  caster.ModelFromCaster = about.ModelFromCaster;
+  caster.Matrix = this->NumberOfMatrices++;
+  std::vector<Vertex> vertices;
+  vertices.reserve(geometry.Vertices.size());
+  for (const glm::vec3& position : geometry.Vertices)
+  {
+    vertices.push_back({ position, caster.Matrix });
+  }
+  const auto first = static_cast<std::uint32_t>(this->Vertices.Used / sizeof(Vertex));
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * geometry.Triangles.size());
+  for (const glm::uvec3& triangle : geometry.Triangles)
+  {
+    indices.insert(indices.end(), { first + triangle.x, first + triangle.y, first + triangle.z });
+  }
+  caster.FirstIndex = this->Indices.Used / sizeof(std::uint32_t);
+  caster.Indices = indices.size();
+  this->Vertices.Append(vertices.data(), vertices.size() * sizeof(Vertex));
+  this->Indices.Append(indices.data(), indices.size() * sizeof(std::uint32_t));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::size_t> vtkShadowMergedCasters::Draw(const vtkShadowFrame& frame,
+  const std::vector<std::size_t>& casters, const vtkshadows::LightView& view,
+  const std::unordered_map<vtkProp*, unsigned int>& culled, bool writesDepth)
+{
+  const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
+  std::vector<std::size_t> merged, others;
+  if (casters.size() < FewestProps)
+  {
+    return casters;
+  }
+  for (const std::size_t i : casters)
+  {
+    (this->IsReady(props[i]) ? merged : others).push_back(i);
+  }
+  if (merged.size() < FewestProps)
+  {
+    return casters;
+  }
+
+  this->Drawn = {};
+  int drawn = 0;
+  const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
+  for (const std::size_t i : merged)
+  {
+    const vtkShadowScene::Piece& piece = props[i].Pieces.front();
+    Caster& caster = this->Known(piece);
+    if (!caster.IsListed)
+    {
+      this->Enlist(piece, caster);
+    }
+    if (!caster.IsFit)
+    {
+      others.push_back(i);
+      continue;
+    }
+    this->Matrices.resize(std::size_t(16) * this->NumberOfMatrices);
+    const std::array<float, 16> matrix =
+      vtkShadowMatrix::ToFloats(clipFromWorld * (piece.WorldFromModel * caster.ModelFromCaster));
+    std::copy(
+      matrix.begin(), matrix.end(), this->Matrices.begin() + std::size_t(16) * caster.Matrix);
+    const auto hidden = culled.find(piece.Prop);
+    Ranges& ranges = this->Drawn[hidden == culled.end() ? 0 : hidden->second == GL_FRONT ? 1 : 2];
+    ranges.Counts.push_back(static_cast<int>(caster.Indices));
+    ranges.Offsets.push_back(
+      reinterpret_cast<const void*>(caster.FirstIndex * sizeof(std::uint32_t)));
+    ++drawn;
+  }
+  if (drawn == 0)
+  {
+    return casters;
+  }
+  this->MatrixTexture.Upload(frame.Window, 4, this->Matrices);
+  this->MatrixTexture.Activate();
+  if (this->MatrixTexture.Unit() < 0)
+  {
+    return casters; // the driver has no unit left
+  }
+  this->DrawRanges(frame, writesDepth);
+  this->MatrixTexture.Deactivate();
+  this->NumberDrawn += drawn;
+  return others;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMergedCasters::DrawRanges(const vtkShadowFrame& frame, bool writesDepth)
+{
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowMergedCastersVS, vtkShadowMergedCastersFS, "");
+  vtkOpenGLState* state = frame.Window->GetState();
+  program->SetUniformi("shadowMatrices", this->MatrixTexture.Unit());
+  state->vtkglDepthMask(writesDepth ? GL_TRUE : GL_FALSE);
+
+  GLuint arrays = 0;
+  glGenVertexArrays(1, &arrays);
+  glBindVertexArray(arrays);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Indices.Buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.Buffer);
+  const auto handle = static_cast<GLuint>(program->GetHandle());
+  const auto position = static_cast<GLuint>(glGetAttribLocation(handle, "shadowVertex"));
+  glEnableVertexAttribArray(position);
+  glVertexAttribPointer(position, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
+  const auto matrix = static_cast<GLuint>(glGetAttribLocation(handle, "shadowMatrix"));
+  glEnableVertexAttribArray(matrix);
+  glVertexAttribIPointer(matrix, 1, GL_UNSIGNED_INT, sizeof(Vertex),
+    reinterpret_cast<const void*>(offsetof(Vertex, Matrix)));
+  const GLenum hidden[] = { GL_NONE, GL_FRONT, GL_BACK };
+  for (std::size_t i = 0; i < this->Drawn.size(); ++i)
+  {
+    const Ranges& ranges = this->Drawn[i];
+    if (ranges.Counts.empty())
+    {
+      continue;
+    }
+    if (hidden[i] == GL_NONE)
+    {
+      state->vtkglDisable(GL_CULL_FACE);
+    }
+    else
+    {
+      state->vtkglEnable(GL_CULL_FACE);
+      state->vtkglCullFace(hidden[i]);
+    }
+    glMultiDrawElements(GL_TRIANGLES, ranges.Counts.data(), GL_UNSIGNED_INT, ranges.Offsets.data(),
+      static_cast<GLsizei>(ranges.Counts.size()));
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindVertexArray(0);
+  glDeleteVertexArrays(1, &arrays);
+}

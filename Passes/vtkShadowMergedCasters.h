@@ -1,0 +1,104 @@
+// Small casters drawn from a light in one go, from one list of their triangles. Each mapper's draw
+// has a cost of its own, whatever it draws, which hundreds of props pay for every map.
+//
+// The list holds the very floats that mappers hand to OpenGL, and a matrix a piece takes them to
+// the light's clip space, as a mapper's does: the picture is the one that mappers draw. It grows as
+// casters are drawn for the second time in the same shape, so what is drawn once only, or changes
+// its shape all the time, is left to its mapper.
+#ifndef vtkShadowMergedCasters_h
+#define vtkShadowMergedCasters_h
+
+#include "vtkShadowByPiece.h"
+#include "vtkShadowTextureBuffer.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+struct vtkShadowFrame;
+
+class vtkShadowMergedCasters
+{
+public:
+  // Triangles of a prop that is drawn with others; of larger ones the draw itself counts.
+  static constexpr double MostTriangles = 2.0e4;
+  // So few are left to their mappers.
+  static constexpr std::size_t FewestProps = 4;
+
+  vtkShadowMergedCasters() = default;
+  ~vtkShadowMergedCasters();
+  vtkShadowMergedCasters(const vtkShadowMergedCasters&) = delete;
+  void operator=(const vtkShadowMergedCasters&) = delete;
+
+  // A new frame: what is known of props that are gone is forgotten.
+  void BeginFrame(const vtkShadowFrame& frame);
+
+  // Draws those of `casters`, indices into the scene's props, that are in the list into what is
+  // bound: depth, and as a colour (1, depth, 1, 1). `culled`: faces, GL_FRONT or GL_BACK, that need
+  // not be drawn of a part. Returns the others, for the caller to draw.
+  std::vector<std::size_t> Draw(const vtkShadowFrame& frame,
+    const std::vector<std::size_t>& casters, const vtkshadows::LightView& view,
+    const std::unordered_map<vtkProp*, unsigned int>& culled, bool writesDepth);
+
+  // Of the draws of all views of this frame together.
+  int GetNumberDrawn() const { return this->NumberDrawn; }
+
+  std::size_t Bytes() const;
+  void Release();
+
+private:
+  struct Vertex
+  {
+    glm::vec3 Position;
+    std::uint32_t Matrix; // its number
+  };
+  // A piece, and where in the list it is.
+  struct Caster
+  {
+    bool WasDrawn = false; // once, by its mapper
+    bool IsSurveyed = false, IsFit = false;
+    bool IsListed = false;
+    std::uint32_t Matrix = 0;
+    std::size_t FirstIndex = 0, Indices = 0;
+    glm::dmat4 ModelFromCaster{ 1.0 };
+  };
+  // An OpenGL buffer that grows and keeps what it holds.
+  struct List
+  {
+    unsigned int Buffer = 0;
+    std::size_t Used = 0, Capacity = 0; // bytes
+
+    void Append(const void* data, std::size_t bytes);
+  };
+
+  Caster& Known(const vtkShadowScene::Piece& piece);
+  bool IsReady(const vtkShadowScene::Prop& prop);
+  void Enlist(const vtkShadowScene::Piece& piece, Caster& caster);
+  void DrawRanges(const vtkShadowFrame& frame, bool writesDepth);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkShadowByPiece<Caster> Casters;
+  List Vertices, Indices;
+  std::uint32_t NumberOfMatrices = 0;
+  int NumberDrawn = 0;
+
+  // Of one draw.
+  struct Ranges
+  {
+    std::vector<int> Counts;
+    std::vector<const void*> Offsets;
+  };
+  std::vector<float> Matrices;
+  vtkShadowTextureBuffer MatrixTexture;
+  std::array<Ranges, 3> Drawn; // all faces, all but front ones, all but back ones
+};
+
+#endif
