@@ -176,8 +176,7 @@ bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSof
 bool HangsOnFewPixels(const ErrorPercents& error, bool isSoft)
 {
   constexpr double Few = 4.5;
-  const bool isGross = IsGross(error);
-  const bool hangsOnGross = isGross && 0.01 * error.gross * error.pixels < Few;
+  const bool hangsOnGross = IsGross(error) && 0.01 * error.gross * error.pixels < Few;
   const bool hangsOnPenumbra = isSoft &&
     std::abs(error.penumbraDifference - MostPenumbraDifferencePercent) <
       SureDeviations * error.penumbraDeviation;

@@ -314,10 +314,7 @@ void vtkMapShadowPass::SetLookupParameters(vtkShaderProgram* program, vtkProp*)
 void vtkMapShadowPass::ActivateTextures()
 {
   this->Superclass::ActivateTextures();
-  if (!this->Views->Faces().empty() || !this->Views->Cascades().empty())
-  {
-    this->Rows->Activate();
-  }
+  this->Rows->Activate(); // where there are any
 }
 
 void vtkMapShadowPass::DeactivateTextures()

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 namespace
 {
@@ -114,17 +115,12 @@ void vtkShadowMergedCasters::List::Append(const void* data, std::size_t bytes)
 //------------------------------------------------------------------------------
 void vtkShadowMergedCasters::BeginFrame(const vtkShadowFrame& frame)
 {
-  if (this->Window != frame.Window)
-  {
-    this->Release();
-    this->Window = frame.Window;
-  }
   this->NumberDrawn = 0;
   this->Casters.BeginFrame(frame.Scene->GetProps());
   std::size_t listed = 0;
   this->Casters.ForEach([&listed](const Caster& caster) { listed += caster.Indices; });
   const double used = static_cast<double>(this->Indices.Used / sizeof(std::uint32_t));
-  if (used - static_cast<double>(listed) > MostUnused * used)
+  if (this->Window != frame.Window || used - static_cast<double>(listed) > MostUnused * used)
   {
     this->Release();
     this->Window = frame.Window;
@@ -132,31 +128,26 @@ void vtkShadowMergedCasters::BeginFrame(const vtkShadowFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-vtkShadowMergedCasters::Caster& vtkShadowMergedCasters::Known(const vtkShadowScene::Piece& piece)
-{
-  return this->Casters.Of(piece, []() { return Caster(); });
-}
-
-// Whether a prop can be drawn from the list, once it has been drawn by its mapper.
-bool vtkShadowMergedCasters::IsReady(const vtkShadowScene::Prop& prop)
+// That of a prop which can be drawn from the list, once it has been drawn by its mapper; else none.
+vtkShadowMergedCasters::Caster* vtkShadowMergedCasters::ReadyCaster(
+  const vtkShadowScene::Prop& prop)
 {
   if (!IsPlainActor(prop))
   {
-    return false;
+    return nullptr;
   }
   const vtkShadowScene::Piece& piece = prop.Pieces.front();
-  Caster& caster = this->Known(piece);
-  if (!caster.WasDrawn)
+  Caster& caster = this->Casters.Of(piece, []() { return Caster(); });
+  if (caster.State == Caster::New)
   {
-    caster.WasDrawn = true;
-    return false;
+    caster.State = Caster::Drawn;
+    return nullptr;
   }
-  if (!caster.IsSurveyed)
+  if (caster.State == Caster::Drawn)
   {
-    caster.IsFit = IsFit(piece);
-    caster.IsSurveyed = true;
+    caster.State = IsFit(piece) ? Caster::Fit : Caster::Unfit;
   }
-  return caster.IsFit;
+  return caster.State == Caster::Unfit ? nullptr : &caster;
 }
 
 //------------------------------------------------------------------------------
@@ -165,12 +156,12 @@ void vtkShadowMergedCasters::Enlist(const vtkShadowScene::Piece& piece, Caster& 
   vtkShadowCasterMesh about;
   const vtkShadowCasterGeometry geometry = about.Extract(piece);
   const std::size_t texels = std::size_t(4) * (this->NumberOfMatrices + 1);
-  caster.IsFit = about.Skipped.empty() && texels <= vtkShadowTextureBuffer::LargestSize();
-  if (!caster.IsFit)
+  if (!about.Skipped.empty() || texels > vtkShadowTextureBuffer::LargestSize())
   {
+    caster.State = Caster::Unfit;
     return;
   }
-  caster.IsListed = true;
+  caster.State = Caster::Listed;
   caster.ModelFromCaster = about.ModelFromCaster;
   caster.Matrix = this->NumberOfMatrices++;
   std::vector<Vertex> vertices;
@@ -198,14 +189,22 @@ std::vector<std::size_t> vtkShadowMergedCasters::Draw(const vtkShadowFrame& fram
   const std::unordered_map<vtkProp*, unsigned int>& culled, bool writesDepth)
 {
   const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
-  std::vector<std::size_t> merged, others;
+  std::vector<std::size_t> others;
+  std::vector<std::pair<std::size_t, Caster*>> merged;
   if (casters.size() < FewestProps)
   {
     return casters;
   }
   for (const std::size_t i : casters)
   {
-    (this->IsReady(props[i]) ? merged : others).push_back(i);
+    if (Caster* caster = this->ReadyCaster(props[i]))
+    {
+      merged.emplace_back(i, caster);
+    }
+    else
+    {
+      others.push_back(i);
+    }
   }
   if (merged.size() < FewestProps)
   {
@@ -215,15 +214,15 @@ std::vector<std::size_t> vtkShadowMergedCasters::Draw(const vtkShadowFrame& fram
   this->Drawn = {};
   int drawn = 0;
   const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
-  for (const std::size_t i : merged)
+  for (const auto& [i, known] : merged)
   {
     const vtkShadowScene::Piece& piece = props[i].Pieces.front();
-    Caster& caster = this->Known(piece);
-    if (!caster.IsListed)
+    Caster& caster = *known;
+    if (caster.State == Caster::Fit)
     {
       this->Enlist(piece, caster);
     }
-    if (!caster.IsFit)
+    if (caster.State == Caster::Unfit)
     {
       others.push_back(i);
       continue;

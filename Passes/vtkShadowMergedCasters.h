@@ -63,9 +63,14 @@ private:
   // A piece, and where in the list it is.
   struct Caster
   {
-    bool WasDrawn = false; // once, by its mapper
-    bool IsSurveyed = false, IsFit = false;
-    bool IsListed = false;
+    enum
+    {
+      New,
+      Drawn, // once, by its mapper
+      Fit,   // for the list, as far as is known without its triangles
+      Listed,
+      Unfit
+    } State = New;
     std::uint32_t Matrix = 0;
     std::size_t FirstIndex = 0, Indices = 0;
     glm::dmat4 ModelFromCaster{ 1.0 };
@@ -79,8 +84,7 @@ private:
     void Append(const void* data, std::size_t bytes);
   };
 
-  Caster& Known(const vtkShadowScene::Piece& piece);
-  bool IsReady(const vtkShadowScene::Prop& prop);
+  Caster* ReadyCaster(const vtkShadowScene::Prop& prop);
   void Enlist(const vtkShadowScene::Piece& piece, Caster& caster);
   void DrawRanges(const vtkShadowFrame& frame, bool writesDepth);
 

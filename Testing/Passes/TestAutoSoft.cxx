@@ -15,7 +15,21 @@ using namespace shadowtest;
 namespace
 {
 
-using AutoSoft = AutoTest;
+class AutoSoft : public AutoTest
+{
+protected:
+  // A scene of the registry under its light with a radius, in a window of that size.
+  void MakeScene(const std::string& name, const vtkshadows::SceneSize& size)
+  {
+    this->Resize(size.width, size.height);
+    const vtkshadows::SceneFacts facts = vtkshadows::BuildScene(name, this->Renderer, size);
+    this->Sun = facts.lights[0].light;
+    this->Radius = facts.lights[0].radius;
+    this->Shadows->SetLightRadius(this->Sun, this->Radius);
+  }
+
+  double Radius = 0.0;
+};
 
 }
 
@@ -49,18 +63,15 @@ TEST_F(AutoSoft, SoftLights)
 }
 
 //------------------------------------------------------------------------------
-// Of eight volumes the penumbra is 3.96 % wrong here, the limit being 4: a third of the pixels, or a
-// sample of them, may say more.
+// Of eight volumes the penumbra is 3.96 % wrong here, the limit being 4: a third of the pixels, or
+// a sample of them, may say more.
 TEST_F(AutoSoft, PenumbraCloseToTheLimit)
 {
   SHADOWTEST_NEEDS_RAY_CAST();
   vtkshadows::SceneSize size;
   size.width = 640;
   size.height = 480;
-  this->Resize(size.width, size.height);
-  const vtkshadows::SceneFacts facts = vtkshadows::BuildScene("still-life", this->Renderer, size);
-  this->Sun = facts.lights[0].light;
-  this->Shadows->SetLightRadius(this->Sun, facts.lights[0].radius);
+  this->MakeScene("still-life", size);
   this->Shadows->SetLightTechnique(this->Sun, "stencil-volume");
   this->Shadows->GetStencilShadowVolumePass()->SetLightSamples(8);
   this->Shadows->GetRayCastShadowPass()->SetLightSamples(256); // of the truth
@@ -73,16 +84,18 @@ TEST_F(AutoSoft, PenumbraCloseToTheLimit)
 
   vtkNew<vtkShadowPass> fresh;
   this->Renderer->SetPass(fresh);
-  fresh->SetLightRadius(this->Sun, facts.lights[0].radius);
+  fresh->SetLightRadius(this->Sun, this->Radius);
   for (int i = 0; i < 100 && (i == 0 || !fresh->GetChoiceIsSettled()); ++i)
   {
     this->Render();
   }
-  const std::string explanation = fresh->GetExplanation(this->Sun), name = "stencil-volume (8 samples)";
+  const std::string explanation = fresh->GetExplanation(this->Sun),
+                    name = "stencil-volume (8 samples)";
   std::printf("       %s\n", explanation.c_str());
   const std::size_t found = explanation.find(name);
   ASSERT_NE(found, std::string::npos) << explanation;
-  EXPECT_TRUE(found == 0 || explanation.compare(found + name.size(), 6, " takes") == 0) << explanation;
+  EXPECT_TRUE(found == 0 || explanation.compare(found + name.size(), 6, " takes") == 0)
+    << explanation;
   this->Renderer->SetPass(nullptr);
 }
 
@@ -96,10 +109,7 @@ TEST_F(AutoSoft, WhatIsSlowWithFewSamplesIsNotMeasuredWithMany)
   size.detail = 0.25;
   size.width = 160;
   size.height = 120;
-  this->Resize(size.width, size.height);
-  const vtkshadows::SceneFacts facts = vtkshadows::BuildScene("grass", this->Renderer, size);
-  this->Sun = facts.lights[0].light;
-  this->Shadows->SetLightRadius(this->Sun, facts.lights[0].radius);
+  this->MakeScene("grass", size);
   this->Settle(200);
   this->ExpectChosen(this->Sun, { "ray-cast" }, { "stencil-volume (8 samples)" });
   const std::string explanation = this->Shadows->GetExplanation(this->Sun);
