@@ -1,10 +1,5 @@
-// Object-ID maps: against the truth and beside the depth map, what an object is, what a texel
-// holds, when maps are drawn.
-#include "ShadowTest.h"
-#include "TestScenes.h"
-
-#include "vtkObjectIDShadowPass.h"
-#include "vtkShadowErrorMeasure.h"
+// Object-ID maps: what an object is, what a texel holds, when maps are drawn.
+#include "ObjectIDTest.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCompositeDataDisplayAttributes.h>
@@ -12,13 +7,11 @@
 #include <vtkDataArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkIntArray.h>
-#include <vtkLightCollection.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
@@ -33,217 +26,10 @@ using namespace shadowtest;
 namespace
 {
 
-struct Error
+class ObjectIDs : public ObjectIDTest
 {
-  double mismatch = 0.0; // percent of the receiver pixels
-  double gross = 0.0;    // pixels
-  double receivers = 0.0;
-  double shadow = 0.0;
 };
 
-class ObjectIDs : public ShadowTest
-{
-protected:
-  void SetUp() override
-  {
-    ShadowTest::SetUp();
-    this->Renderer->SetPass(this->Shadows);
-    this->Shadows->SetTechnique("object-id");
-  }
-
-  vtkObjectIDShadowPass* Maps() { return this->Shadows->GetObjectIDShadowPass(); }
-
-  Error ErrorOf(const std::string& what, const std::string& technique, vtkLight* light)
-  {
-    this->Shadows->SetTechnique(technique);
-    this->Render();
-    vtkNew<vtkShadowErrorMeasure> error;
-    EXPECT_TRUE(error->Measure(this->Renderer, light)) << what;
-    Error found;
-    found.mismatch = error->GetMismatchPercent();
-    found.gross = static_cast<double>(error->GetGrossFalsePixels() + error->GetGrossMissedPixels());
-    found.receivers = static_cast<double>(error->GetReceiverPixels());
-    found.shadow = static_cast<double>(error->GetShadowPixels());
-    std::printf("%-34s %-10s mismatch %.4f %% gross %lld false, %lld missed of %.0f, mean absolute "
-                "difference %.5f\n",
-      what.c_str(), technique.c_str(), found.mismatch,
-      static_cast<long long>(error->GetGrossFalsePixels()),
-      static_cast<long long>(error->GetGrossMissedPixels()), found.receivers,
-      error->GetMeanAbsoluteDifference());
-    EXPECT_GT(found.shadow, found.receivers / 100) << what << ": few shadows";
-    return found;
-  }
-
-  // At the default settings no grosser than the depth map, 16 bits as good as 32; what 8 bits lose
-  // is printed.
-  void CheckBesideDepthMap(const std::string& what)
-  {
-    this->Renderer->GetLights()->InitTraversal();
-    int index = 0;
-    while (vtkLight* light = this->Renderer->GetLights()->GetNextItem())
-    {
-      const std::string row = what + ", light " + std::to_string(index++);
-      const Error byDepth = this->ErrorOf(row, "depth-map", light);
-      Error byBits[4];
-      const int bits[] = { 8, 16, 24, 32 };
-      for (int i = 0; i < 4; ++i)
-      {
-        this->Maps()->SetDepthBits(bits[i]);
-        byBits[i] =
-          this->ErrorOf(row + ", " + std::to_string(bits[i]) + " bits", "object-id", light);
-      }
-      if (this->Maps()->GetNumberOfObjects() > 255)
-      {
-        ExpectOneMessage({ "vtkObjectIDShadowPass", "255 IDs" }); // by 24 bits
-      }
-      this->Maps()->SetDepthBits(16);
-      CheckAtMost(row + ": gross px, beside the depth map's", byBits[1].gross, byDepth.gross);
-      CheckAtMost(row + ": mismatch at 16 bits, beside 1.5 times that at 32", byBits[1].mismatch,
-        1.5 * byBits[3].mismatch);
-      CheckAtMost(row + ": gross at 16 bits, beside 1.5 times that at 32", byBits[1].gross,
-        1.5 * byBits[3].gross);
-      CheckAtMost(row + ": mismatch, beside 1.1 times the depth map's", byBits[1].mismatch,
-        1.1 * byDepth.mismatch);
-    }
-  }
-
-  // A floor under a sun, and IDs alone.
-  void AddFloorAndSun()
-  {
-    this->Resize(640, 480);
-    AddFloor(this->Renderer, 4.0);
-    this->Light = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
-    LookAt(this->Renderer, { 1.0, -6.0, 4.5 }, { 0.0, 0.0, 0.9 });
-    this->Maps()->CombineDepthOff();
-    this->Render();
-  }
-
-  // By `type` as the truth has it, but for an edge a texel narrower; with the coarser one much is
-  // missed; and with depths both are right.
-  void CheckToldApart(const std::string& coarser, const std::string& type, int objects)
-  {
-    SHADOWTEST_NEEDS_RAY_CAST();
-    this->Maps()->SetObjectType(coarser);
-    const Error merged = this->ErrorOf("merged, by " + coarser, "object-id", this->Light);
-    CheckAtLeast("gross px where objects are merged", merged.gross, 500.0);
-    this->Maps()->SetObjectType(type);
-    const Error apart = this->ErrorOf("told apart, by " + type, "object-id", this->Light);
-    CheckAtMost("mismatch where objects are told apart", apart.mismatch, 0.3);
-    CheckAtMost("gross px where objects are told apart", apart.gross, 0.0);
-    Check("objects", this->Maps()->GetNumberOfObjects(), objects);
-    this->Maps()->CombineDepthOn();
-    for (const std::string& each : { coarser, type })
-    {
-      this->Maps()->SetObjectType(each);
-      const Error deep = this->ErrorOf("with depths, by " + each, "object-id", this->Light);
-      CheckAtMost("mismatch with depths", deep.mismatch, 0.1);
-      CheckAtMost("gross px with depths", deep.gross, 0.0);
-    }
-    this->Maps()->CombineDepthOff();
-  }
-
-  vtkSmartPointer<vtkLight> Light;
-};
-
-}
-
-TEST_F(ObjectIDs, StillLifeWithASpot)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(1024, 768);
-  const Subject subject = AddStillLife(this->Renderer);
-  AddSpot(this->Renderer, { 3.5, -3.0, 6.5 }, { 0.0, 0.0, 0.3 }, 35.0);
-  AimCamera(this->Renderer, subject, -15.0, 28.0, 1024, 768);
-  this->CheckBesideDepthMap("still life");
-}
-
-TEST_F(ObjectIDs, BumpyMeshWithASun)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(1024, 768);
-  const Subject subject = AddBumpyMesh(this->Renderer);
-  AddSun(this->Renderer, -Toward(60.0, 40.0));
-  AimCamera(this->Renderer, subject, 10.0, 20.0, 1024, 768);
-  this->CheckBesideDepthMap("bumpy mesh");
-}
-
-TEST_F(ObjectIDs, TubesAndGlyphsWithTwoLights)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(1024, 768);
-  const Subject subject = AddTubesAndGlyphs(this->Renderer);
-  AddSpot(this->Renderer, { 4.0, -3.0, 7.0 }, { 0.0, 0.0, 0.8 }, 30.0);
-  AddSun(this->Renderer, -Toward(-50.0, 50.0));
-  AimCamera(this->Renderer, subject, 5.0, 25.0, 1024, 768);
-  this->CheckBesideDepthMap("tubes and glyphs");
-}
-
-// Lights and cameras by lot, in turn on each of the scenes, and every kind of object in turn.
-TEST_F(ObjectIDs, UnseenViews)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(512, 384);
-  for (int seed = 101; seed <= 112; ++seed)
-  {
-    AddSceneByLot(this->Renderer, seed, 20.0, 512, 384);
-    this->Maps()->SetObjectType(seed % vtkObjectIDShadowPass::GetNumberOfObjectTypes());
-    this->CheckBesideDepthMap("seed " + std::to_string(seed) + ", by " +
-      vtkObjectIDShadowPass::GetObjectTypeName(this->Maps()->GetObjectType()));
-  }
-}
-
-// Another caster a thousand times as far away along the light: the scene's depths are 1500 long, of
-// which 16 bits are steps of 0.02, and each object's own range is as short as ever.
-TEST_F(ObjectIDs, SmallObjectsInALargeScene)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(512, 384);
-  const Subject subject = AddBumpyMesh(this->Renderer);
-  const glm::dvec3 toward = Toward(60.0, 40.0);
-  AddSphere(this->Renderer, subject.centre + 1000.0 * subject.radius * toward, 0.1);
-  AddSun(this->Renderer, -toward);
-  AimCamera(this->Renderer, subject, 10.0, 20.0, 512, 384);
-  this->CheckBesideDepthMap("a caster far away");
-}
-
-// A point light in a closed room: the faces of a cube.
-TEST_F(ObjectIDs, PointLightInARoom)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Renderer->AutomaticLightCreationOff();
-  AddBox(this->Renderer, { -3.0, -3.0, 0.0 }, { 3.0, 3.0, 4.0 });
-  AddSphere(this->Renderer, { 1.5, 1.5, 1.0 }, 0.6);
-  AddSphere(this->Renderer, { -1.6, 0.2, 2.0 }, 0.4);
-  AddBox(this->Renderer, { 0.5, -1.8, 0.0 }, { 1.3, -0.9, 0.9 });
-  auto lamp = AddLamp(this->Renderer, { 0.2, 0.3, 2.1 });
-  this->Renderer->GetActiveCamera()->SetViewAngle(80.0);
-  LookAt(this->Renderer, { 2.5, 2.5, 3.5 }, { -1.0, -1.0, 0.5 });
-  this->Maps()->SetResolution(1024);
-  this->Shadows->GetDepthShadowMapPass()->SetResolution(1024);
-  this->CheckBesideDepthMap("room");
-  Check("maps a light", static_cast<double>(this->Maps()->GetNumberOfMapBuilds()), 4 * 6.0);
-  lamp->SetPosition(2.2, -2.4, 3.7);
-  this->CheckBesideDepthMap("lamp in a corner");
-}
-
-// Far from the origin, very small, very large.
-TEST_F(ObjectIDs, OffsetsAndScales)
-{
-  SHADOWTEST_NEEDS_RAY_CAST();
-  this->Resize(640, 480);
-  for (const Placement& placement : Placements)
-  {
-    for (const bool byActor : { true, false })
-    {
-      AddStillLifeAt(this->Renderer, placement, byActor, 640, 480);
-      AddSpot(
-        this->Renderer, placement.Of({ 3.5, -3.0, 6.5 }), placement.Of({ 0.0, 0.0, 0.3 }), 35.0);
-      // Pieces are told by their vertices.
-      this->Maps()->SetObjectType(byActor ? "prop" : "piece");
-      this->CheckBesideDepthMap(
-        std::string(placement.name) + (byActor ? ", by actor" : ", by points"));
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
