@@ -180,7 +180,7 @@ vtkIdType vtkDepthShadowMapPass::GetTextureMemory() const
 {
   const Internals& my = *this->Internal;
   return static_cast<vtkIdType>(my.Maps.Bytes() + my.Depths.Bytes() + my.Moments.Bytes() +
-    my.Sampled.Textures.Bytes() + my.Triangles.TextureBytes() + my.Transmittance.Bytes());
+    my.Sampled.Bytes() + my.Triangles.TextureBytes() + my.Transmittance.Bytes());
 }
 
 vtkIdType vtkDepthShadowMapPass::GetCasterMemory() const
@@ -195,7 +195,7 @@ void vtkDepthShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
   my.Maps.Release();
   my.Depths.Release();
   my.Moments.Release();
-  my.Sampled.Textures.Release();
+  my.Sampled.Release();
   my.Triangles.Release();
   my.Transmittance.Release();
   this->Superclass::ReleaseGraphicsResources(w);

@@ -99,7 +99,8 @@ std::string vtkDepthShadowMapPass::GetLookupDeclarations() const
 std::string vtkDepthShadowMapPass::GetLookupFunction(int slot, vtkProp* prop) const
 {
   const Internals::Slot& own = this->Internal->Slots[slot];
-  return own.IsSampled ? "shadowSampledLight" : Superclass::GetLookupFunction(own.Index, prop);
+  return own.IsSampled ? this->Internal->Sampled.Function(own.Index)
+                       : Superclass::GetLookupFunction(own.Index, prop);
 }
 
 int vtkDepthShadowMapPass::GetLookupIndex(int slot) const
@@ -157,7 +158,7 @@ void vtkDepthShadowMapPass::ActivateTextures()
     my.Maps.CompareDepths(true);
   }
   this->Superclass::ActivateTextures();
-  my.Sampled.Textures.Activate();
+  my.Sampled.Activate();
   my.Transmittance.Activate();
   if (this->Filter == EXACT)
   {
@@ -169,7 +170,7 @@ void vtkDepthShadowMapPass::DeactivateTextures()
 {
   Internals& my = *this->Internal;
   this->Superclass::DeactivateTextures();
-  my.Sampled.Textures.Deactivate();
+  my.Sampled.Deactivate();
   my.Transmittance.Deactivate();
   my.Triangles.Deactivate();
   if (this->Filter == HARDWARE && my.Maps.Id())

@@ -215,8 +215,7 @@ bool vtkDepthShadowMapPass::UpdateSampled(
   my.Sampled.Fit(frame, lights, this->LightSamples, side, BesideKernel);
   if (lights.empty())
   {
-    my.Sampled.Textures.Release();
-    my.Sampled.ForgetMaps();
+    my.Sampled.Release();
     return true;
   }
   const int layers = std::max(my.Sampled.NumberOfMaps(), 1);
@@ -234,6 +233,7 @@ bool vtkDepthShadowMapPass::UpdateSampled(
   {
     return false;
   }
+  my.Sampled.UploadRows(frame.Window);
   my.Sampled.DrawStale(
     [&](const vtkshadows::ShadowLight& light, const vtkShadowMapView& view)
     {

@@ -30,6 +30,9 @@ int LayerWidth(int resolution)
   return std::min(resolution + PaddingTexels, vtkShadowTextureArray::LargestSide());
 }
 
+// Of the 15 vectors that every OpenGL takes from vertices; positions and VTK need the others.
+constexpr std::size_t MostFlatReaches = 2;
+
 // By CascadeSchemeType.
 const char* const SchemeNames[] = { "practical", "logarithmic", "uniform" };
 const int NumberOfSchemes = static_cast<int>(std::size(SchemeNames));
@@ -214,16 +217,7 @@ void vtkMapShadowPass::UploadRows(const vtkShadowFrame& frame)
       rows.insert(rows.end(), row.begin(), row.end());
     }
   }
-  if (rows.empty())
-  {
-    this->Rows->Release();
-    this->UploadedRows.clear();
-  }
-  else if (rows != this->UploadedRows || !this->Rows->IsOf(frame.Window))
-  {
-    this->Rows->Upload(frame.Window, 4, rows);
-    this->UploadedRows = rows;
-  }
+  this->Rows->Keep(frame.Window, 4, rows);
 }
 
 //------------------------------------------------------------------------------
@@ -256,7 +250,7 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
 {
   const int side = this->WithinDriver("Resolution", this->Resolution);
   const std::size_t cubes = this->Views->Faces().size() / 6;
-  const std::size_t cascaded = this->NumberOfCascadedLights();
+  const std::size_t cascaded = this->Views->NumberOfCascadedLights();
   const std::string define = "#define " + this->GetMacroPrefix();
   return define + "_WIDTH " + std::to_string(LayerWidth(side)) + "\n" + define + "_HEIGHT " +
     std::to_string(side) + "\n" +
@@ -271,9 +265,25 @@ std::string vtkMapShadowPass::GetLookupDeclarations() const
     this->Named(vtkMapShadowPassLookup);
 }
 
-std::size_t vtkMapShadowPass::NumberOfCascadedLights() const
+//------------------------------------------------------------------------------
+// How far cascades reach is alike for all pixels. Of vertices that costs software OpenGL next to
+// nothing, and as uniforms a fetch of each number for each pixel.
+vtkShadowVertexCode vtkMapShadowPass::GetLookupCode(bool byVertex) const
 {
-  return this->Views->Reaches().size() / 2;
+  const std::size_t reaches = this->Views->Reaches().size();
+  if (reaches == 0)
+  {
+    return {};
+  }
+  const std::string array = "[" + std::to_string(reaches) + "];\n";
+  const std::string uniform = this->Named("uniform vec4 shadowMapCascadeReaches") + array;
+  if (!byVertex || reaches > MostFlatReaches)
+  {
+    return { "", "", uniform + this->Named("#define shadowMapReaches shadowMapCascadeReaches\n") };
+  }
+  return { uniform + this->Named("flat out vec4 shadowMapReaches") + array,
+    this->Named("  shadowMapReaches = shadowMapCascadeReaches;\n"),
+    this->Named("flat in vec4 shadowMapReaches") + array };
 }
 
 std::string vtkMapShadowPass::GetLookupFunction(int slot, vtkProp*) const

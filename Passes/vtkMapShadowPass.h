@@ -195,6 +195,7 @@ protected:
 
   bool UpdateVisibility(const vtkShadowFrame& frame, const std::vector<int>& lights) override;
   std::string GetLookupDeclarations() const override;
+  vtkShadowVertexCode GetLookupCode(bool byVertex) const override;
   std::string GetLookupFunction(int slot, vtkProp*) const override;
   int GetLookupIndex(int slot) const override;
   const float* GetLookupMatrix(int slot, vtkProp*) const override;
@@ -239,13 +240,11 @@ private:
 
   void UploadRows(const vtkShadowFrame& frame);
   void SetShare(const char* name, double share, double& setting);
-  std::size_t NumberOfCascadedLights() const;
 
   vtkSmartPointer<vtkCamera> FitCamera;
   vtkTimeStamp LookupStamp; // of the functions and layers that shaders are written with
   std::unique_ptr<vtkShadowMapViews> Views;
   std::unique_ptr<vtkShadowTextureBuffer> Rows;
-  std::vector<float> UploadedRows;
 };
 
 #endif

@@ -277,7 +277,7 @@ std::string vtkObjectIDShadowPass::GetCompareDeclarations() const
 }
 
 //------------------------------------------------------------------------------
-vtkShadowTechniquePass::ObjectCode vtkObjectIDShadowPass::GetObjectCode(bool byVertex) const
+vtkShadowVertexCode vtkObjectIDShadowPass::GetObjectCode(bool byVertex) const
 {
   if (!byVertex || this->ObjectType == PROP)
   {

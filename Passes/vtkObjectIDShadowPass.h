@@ -124,7 +124,7 @@ protected:
   std::string GetSamplerName() const override { return "shadowObjectMaps"; }
   void ActivateTextures() override;
   void DeactivateTextures() override;
-  ObjectCode GetObjectCode(bool byVertex) const override;
+  vtkShadowVertexCode GetObjectCode(bool byVertex) const override;
   CasterCode GetCasterCode() const override;
   void SetObjectParameters(
     vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) override;

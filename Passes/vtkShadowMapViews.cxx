@@ -284,7 +284,7 @@ vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
     this->CascadeRows[i] = { 1.0f, 1.0f, 0.0f, 0.0f };
   }
   const float noEnd = std::numeric_limits<float>::max();
-  this->CascadeReaches.resize(firstReach + 2, { noEnd, noEnd, noEnd, noEnd });
+  this->CascadeReaches.resize(firstReach + this->ReachesPerLight(), { noEnd, noEnd, noEnd, noEnd });
   if (slot.Views.empty())
   {
     return LitEverywhere;
@@ -353,7 +353,7 @@ bool vtkShadowMapViews::UpdateLookups(
     if (slot.HasCascades)
     {
       lookup.Function = prefix + "Cascades";
-      lookup.Index = static_cast<int>(this->CascadeReaches.size() / 2);
+      lookup.Index = static_cast<int>(this->NumberOfCascadedLights());
       matrix = this->AddCascades(slot, viewFromWorld, riseTexels, farthest);
     }
     else if (slot.IsSkipped && !wasCube && i < this->Lookups.size())

@@ -143,9 +143,15 @@ public:
   const float* Matrix(int slot) const { return this->Matrices[slot].data(); }
   // Six a cube.
   const std::vector<Row>& Faces() const { return this->CubeFaces; }
-  // Two a cascade, as many for each cascaded light as there may be; and two a light.
+  // Two a cascade, as many for each cascaded light as there may be; and of reaches, one or two a
+  // light.
   const std::vector<Row>& Cascades() const { return this->CascadeRows; }
   const std::vector<Row>& Reaches() const { return this->CascadeReaches; }
+  std::size_t ReachesPerLight() const { return this->FittedTo.Cascades.count > 4 ? 2 : 1; }
+  std::size_t NumberOfCascadedLights() const
+  {
+    return this->CascadeReaches.size() / this->ReachesPerLight();
+  }
 
   const std::vector<vtkShadowMapSlot>& GetSlots() const { return this->Slots; }
 

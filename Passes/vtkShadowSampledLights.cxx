@@ -315,32 +315,60 @@ void vtkShadowSampledLights::DrawStale(const Draw& draw)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkShadowSampledLights::Function(int light) const
+{
+  const Light& sampled = this->Lights[light];
+  const bool isCube = sampled.Faces.size() > 1;
+  return std::string("shadowSampled") +
+    (sampled.IsParallel ? "Parallel"
+        : isCube        ? "Cube"
+                        : "View");
+}
+
 std::string vtkShadowSampledLights::Shape() const
 {
-  std::size_t faces = 0, places = 0;
-  for (const Light& light : this->Lights)
+  std::string shape = std::to_string(this->Resolution);
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
-    faces += light.Faces.size();
-    places += light.Places.size();
+    shape += " " + this->Function(static_cast<int>(i));
   }
+  return shape;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowSampledLights::Declarations(const std::string& shared) const
+{
   using vtkShadowText::Define;
   return this->Lights.empty()
     ? std::string()
     : Define("SHADOW_SAMPLED_MAP_WIDTH", std::to_string(this->Resolution)) +
       Define("SHADOW_SAMPLED_MAP_HEIGHT", std::to_string(this->Resolution)) +
       Define("SHADOW_SAMPLED_LIGHTS", std::to_string(this->Lights.size())) +
-      Define("SHADOW_SAMPLED_FACES", std::to_string(std::max<std::size_t>(faces, 1))) +
-      Define("SHADOW_SAMPLED_PLACES", std::to_string(std::max<std::size_t>(places, 1)));
-}
-
-//------------------------------------------------------------------------------
-std::string vtkShadowSampledLights::Declarations(const std::string& shared) const
-{
-  return this->Lights.empty() ? std::string()
-                              : this->Shape() +
       vtkShadowText::Replaced(vtkShadowText::Replaced(shared, "shadowDepthMap", "shadowSampledMap"),
         "SHADOW_DEPTH_MAP", "SHADOW_SAMPLED_MAP") +
       vtkShadowSampledLightsLookup;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowSampledLights::UploadRows(vtkOpenGLRenderWindow* window)
+{
+  std::vector<float> rows;
+  const auto add = [&rows](const std::array<float, 4>& row)
+  { rows.insert(rows.end(), row.begin(), row.end()); };
+  this->Headers.clear();
+  for (const Light& light : this->Lights)
+  {
+    const float faces = static_cast<float>(rows.size() / 4);
+    for (const Face& face : light.Faces)
+    {
+      add(face.ScaleAndCentre);
+      add(face.DepthAndLayer);
+    }
+    this->Headers.push_back({ faces, static_cast<float>(rows.size() / 4),
+      static_cast<float>(light.Places.size()), 0.0f });
+    std::for_each(light.Places.begin(), light.Places.end(), add);
+  }
+  this->Rows.Keep(window, 4, rows);
 }
 
 //------------------------------------------------------------------------------
@@ -350,30 +378,31 @@ void vtkShadowSampledLights::SetParameters(vtkShaderProgram* program) const
   {
     return;
   }
-  using Vector = std::array<float, 4>;
-  std::vector<Vector> lights, faces, places;
-  for (const Light& light : this->Lights)
-  {
-    lights.push_back({ static_cast<float>(places.size()), static_cast<float>(light.Places.size()),
-      static_cast<float>(faces.size() / 2),
-      light.IsParallel ? 0.0f : static_cast<float>(light.Faces.size()) });
-    for (const Face& face : light.Faces)
-    {
-      faces.push_back(face.ScaleAndCentre);
-      faces.push_back(face.DepthAndLayer);
-    }
-    places.insert(places.end(), light.Places.begin(), light.Places.end());
-  }
-  const auto set = [program](const char* name, const std::vector<Vector>& values)
-  {
-    if (!values.empty())
-    {
-      program->SetUniform4fv(
-        name, static_cast<int>(values.size()), reinterpret_cast<const float(*)[4]>(values.data()));
-    }
-  };
-  set("shadowSampledLights", lights);
-  set("shadowSampledFaces", faces);
-  set("shadowSampledPlaces", places);
+  program->SetUniform4fv("shadowSampledLights", static_cast<int>(this->Headers.size()),
+    reinterpret_cast<const float(*)[4]>(this->Headers.data()));
   program->SetUniformi("shadowSampledMaps", this->Textures.Unit());
+  if (this->Rows.Unit() >= 0)
+  {
+    program->SetUniformi("shadowSampledRows", this->Rows.Unit());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowSampledLights::Activate()
+{
+  this->Textures.Activate();
+  this->Rows.Activate(); // where there are any
+}
+
+void vtkShadowSampledLights::Deactivate()
+{
+  this->Rows.Deactivate();
+  this->Textures.Deactivate();
+}
+
+void vtkShadowSampledLights::Release()
+{
+  this->Textures.Release();
+  this->Rows.Release();
+  this->ForgetMaps();
 }

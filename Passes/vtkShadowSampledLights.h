@@ -8,6 +8,7 @@
 
 #include "vtkShadowMapViews.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTextureBuffer.h"
 
 #include <functional>
 
@@ -30,15 +31,22 @@ public:
   void ForgetMaps() { this->Drawn.clear(); }
   void DrawStale(const Draw& draw);
 
-  // GLSL: `float shadowSampledLight(int light, vec4 q)`, and its overload for impostors. `shared`:
-  // the texts that all filters share.
+  // GLSL: `float shadowSampledParallel(int light, vec4 q)`, -View and -Cube, and their overloads
+  // for impostors. `shared`: the texts that all filters share.
   std::string Declarations(const std::string& shared) const;
+  // Which of them is for a light. One for all kinds would cost all of them: software OpenGL goes
+  // through each side of a branch.
+  std::string Function(int light) const;
   // Another one of these needs another shader.
   std::string Shape() const;
   const float* Matrix(int light) const { return this->Lights[light].Matrix.data(); }
+  // What shaders look up. Before a frame's lookups.
+  void UploadRows(vtkOpenGLRenderWindow* window);
   void SetParameters(vtkShaderProgram* program) const;
-
-  bool IsEmpty() const { return this->Lights.empty(); }
+  void Activate();
+  void Deactivate();
+  void Release();
+  std::size_t Bytes() const { return this->Textures.Bytes() + this->Rows.Bytes(); }
 
   vtkShadowTextureArray Textures;
 
@@ -68,8 +76,10 @@ private:
 
   int Resolution = 0;
   std::vector<Light> Lights;
-  std::vector<Map> Maps;               // one a layer
-  std::vector<vtkShadowMapView> Drawn; // the same, as they are
+  std::vector<Map> Maps;                     // one a layer
+  std::vector<vtkShadowMapView> Drawn;       // the same, as they are
+  std::vector<std::array<float, 4>> Headers; // of the lights, as the shader has them
+  vtkShadowTextureBuffer Rows;
 };
 
 #endif

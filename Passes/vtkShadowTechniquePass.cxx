@@ -46,7 +46,12 @@ void vtkShadowTechniquePass::DeactivateTextures()
 }
 
 //------------------------------------------------------------------------------
-vtkShadowTechniquePass::ObjectCode vtkShadowTechniquePass::GetObjectCode(bool) const
+vtkShadowVertexCode vtkShadowTechniquePass::GetLookupCode(bool) const
+{
+  return {};
+}
+
+vtkShadowVertexCode vtkShadowTechniquePass::GetObjectCode(bool) const
 {
   return {};
 }

@@ -36,6 +36,17 @@ namespace vtkshadows
 struct ShadowLight;
 }
 
+/**
+ * GLSL of a vertex shader, declarations and statements; and of the fragment shader, ahead of its
+ * other declarations.
+ */
+struct vtkShadowVertexCode
+{
+  std::string VertexDeclarations;
+  std::string VertexStatements;
+  std::string FragmentDeclarations;
+};
+
 class VTKSHADOWSPASSES_EXPORT vtkShadowTechniquePass : public vtkRenderPass
 {
 public:
@@ -141,22 +152,20 @@ protected:
    */
   virtual void SetLookupParameters(vtkShaderProgram*, vtkProp*) {}
 
+  /**
+   * LOOKUP: what its functions are told by way of the vertices. `byVertex`: no geometry shader
+   * stands between the two; else all must be in the fragment shader.
+   */
+  virtual vtkShadowVertexCode GetLookupCode(bool byVertex) const;
+
   ///@{
   /**
    * LOOKUP, if its functions ask which object a fragment is of, and so do the maps that it has
-   * drawn (vtkShadowedShadingPass::DrawCasters, with `writer`). GLSL of the vertex shader,
-   * declarations and one statement; and of the fragment shader, ahead of the other declarations.
-   * `byVertex`: no geometry shader stands between the two; else all must be in the fragment shader.
+   * drawn (vtkShadowedShadingPass::DrawCasters, with `writer`). `byVertex` as in GetLookupCode.
    * And what each draw of a prop by a mapper is told: `mapper` may be one that the prop's own
    * mapper draws through, and `prop` a copy that has the prop's keys.
    */
-  struct ObjectCode
-  {
-    std::string VertexDeclarations;
-    std::string VertexStatement;
-    std::string FragmentDeclarations;
-  };
-  virtual ObjectCode GetObjectCode(bool byVertex) const;
+  virtual vtkShadowVertexCode GetObjectCode(bool byVertex) const;
   virtual void SetObjectParameters(vtkShaderProgram*, vtkAbstractMapper*, vtkProp*) {}
   /**
    * What casters write, as the type of the fragment shader's output ("vec4", "uvec4"), GLSL

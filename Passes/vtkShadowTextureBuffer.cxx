@@ -41,6 +41,21 @@ void vtkShadowTextureBuffer::Upload(
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowTextureBuffer::Keep(
+  vtkOpenGLRenderWindow* window, int components, const std::vector<float>& values)
+{
+  if (values.empty())
+  {
+    this->Release();
+  }
+  else if (values != this->Kept || !this->IsOf(window))
+  {
+    this->Upload(window, components, values);
+    this->Kept = values;
+  }
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkShadowTextureBuffer::LargestSize()
 {
   GLint limit = 0;
@@ -73,6 +88,7 @@ void vtkShadowTextureBuffer::Release()
     glDeleteTextures(1, &this->Texture);
     glDeleteBuffers(1, &this->Buffer);
   }
+  this->Kept.clear();
   this->Texture = 0;
   this->Buffer = 0;
   this->Window = nullptr;

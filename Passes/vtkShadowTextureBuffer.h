@@ -23,6 +23,10 @@ public:
   // Texels of `components` floats each, 1 or 4; what it held is gone. Not while it is bound.
   void Upload(vtkOpenGLRenderWindow* window, int components, const std::vector<float>& values);
 
+  // As Upload, but only if that is not what it holds, of which it keeps a copy: for small tables.
+  // None: released.
+  void Keep(vtkOpenGLRenderWindow* window, int components, const std::vector<float>& values);
+
   // Texels that this driver's buffer textures have at most. A context must be current.
   static std::size_t LargestSize();
 
@@ -41,6 +45,7 @@ public:
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::size_t Size = 0; // bytes
+  std::vector<float> Kept;
   unsigned int Buffer = 0;
   unsigned int Texture = 0;
   vtkShadowTextureUnit BoundTo;

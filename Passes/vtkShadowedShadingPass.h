@@ -173,7 +173,7 @@ private:
   void DrawByMappers(const vtkShadowFrame& frame, const std::vector<std::size_t>& props,
     const vtkshadows::LightView& view, Stage stage);
   std::string Declarations() const;
-  std::string PlaceObjects(std::string& vertexShader, bool byVertex) const;
+  std::string PlaceVertexCode(std::string& vertexShader, bool byVertex) const;
   void PlaceTexels(
     std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const;
   bool Tells(std::size_t light, vtkAbstractMapper* mapper, vtkProp* prop) const;

@@ -124,6 +124,14 @@ void AppendToMain(std::string& source, const std::string& code)
   }
 }
 
+// Returns what the fragment shader declares.
+std::string Place(std::string& vertexShader, const vtkShadowVertexCode& code)
+{
+  DeclareAhead(vertexShader, code.VertexDeclarations);
+  AppendToMain(vertexShader, code.VertexStatements);
+  return code.FragmentDeclarations;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -245,19 +253,17 @@ std::string vtkShadowedShadingPass::FactorCode(std::size_t light) const
 }
 
 //------------------------------------------------------------------------------
-// Which object a fragment is of, for the lookups that ask; returns what the fragment shader
-// declares.
-std::string vtkShadowedShadingPass::PlaceObjects(std::string& vertexShader, bool byVertex) const
+// What lookups are told by way of the vertices, and which object a fragment is of, for those that
+// ask; returns what the fragment shader declares.
+std::string vtkShadowedShadingPass::PlaceVertexCode(std::string& vertexShader, bool byVertex) const
 {
   std::string declarations;
   for (const vtkShadowTechniquePass* technique : this->Techniques)
   {
     if (this->CurrentStage != POSITIONS)
     {
-      const vtkShadowTechniquePass::ObjectCode object = technique->GetObjectCode(byVertex);
-      DeclareAhead(vertexShader, object.VertexDeclarations);
-      AppendToMain(vertexShader, object.VertexStatement);
-      declarations += object.FragmentDeclarations;
+      declarations += Place(vertexShader, technique->GetLookupCode(byVertex)) +
+        Place(vertexShader, technique->GetObjectCode(byVertex));
     }
   }
   return declarations;
@@ -463,8 +469,8 @@ bool vtkShadowedShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   vtkShaderProgram::Substitute(
     fragmentShader, OutputMark, this->OutputCode(fragmentShader, isImpostor, mapper, prop));
-  const std::string objects = this->PlaceObjects(vertexShader, geometryShader.empty());
-  vtkShaderProgram::Substitute(fragmentShader, DeclarationMark, objects + DeclarationMark);
+  const std::string told = this->PlaceVertexCode(vertexShader, geometryShader.empty());
+  vtkShaderProgram::Substitute(fragmentShader, DeclarationMark, told + DeclarationMark);
   this->PlacePositions(vertexShader, fragmentShader, surface == Surface::Vertices, mapper, prop);
   return true;
 }
@@ -475,15 +481,13 @@ void vtkShadowedShadingPass::PlaceTexels(
   std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const
 {
   const bool byVertex = geometryShader.empty();
-  const vtkShadowTechniquePass::ObjectCode object = this->Writer->GetObjectCode(byVertex);
   const vtkShadowTechniquePass::CasterCode caster = this->Writer->GetCasterCode();
-  DeclareAhead(vertexShader, object.VertexDeclarations);
-  AppendToMain(vertexShader, object.VertexStatement);
+  const std::string object = Place(vertexShader, this->Writer->GetObjectCode(byVertex));
   const bool movesDepth = fragmentShader.find("gl_FragDepth =") != std::string::npos;
   vtkShaderProgram::Substitute(fragmentShader, "gl_FragData[0]", "shadowColour");
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Output::Dec",
     "out " + caster.OutputType + " shadowTexel;\nvec4 shadowColour = vec4(1.0);\n");
-  DeclareAhead(fragmentShader, object.FragmentDeclarations + caster.Declarations);
+  DeclareAhead(fragmentShader, object + caster.Declarations);
   AppendToMain(fragmentShader,
     std::string("  float depth = ") + (movesDepth ? "gl_FragDepth" : "gl_FragCoord.z") +
       ";\n  shadowTexel = " + caster.Expression + ";\n");

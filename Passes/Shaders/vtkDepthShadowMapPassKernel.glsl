@@ -1,20 +1,23 @@
 // Taps over a disc of texels, for the filters "disc" and "soft". Ahead of it stands SHADOW_DEPTH_MAP_TAPS.
 // H. Vogel 1979: points spread evenly over a disc, turned from pixel to pixel, so that their steps become grain.
 
-vec2 shadowDepthMapTurn()
+// Direction of the first tap; each next one is turned by the golden angle.
+vec2 shadowDepthMapFirstTap()
 {
   float angle = 6.2831853 * shadowDepthMapNoise();
   return vec2(cos(angle), sin(angle));
 }
 
-// Direction of tap number `tap`, and the share of taps within it.
-vec2 shadowDepthMapTap(int tap, vec2 turn, out float share)
+vec2 shadowDepthMapNextTap(vec2 way)
 {
-  const float goldenAngle = 2.3999632;
-  float angle = float(tap) * goldenAngle;
-  vec2 along = vec2(cos(angle), sin(angle));
-  share = (float(tap) + 0.5) / float(SHADOW_DEPTH_MAP_TAPS);
-  return vec2(along.x * turn.x - along.y * turn.y, along.x * turn.y + along.y * turn.x);
+  const vec2 golden = vec2(-0.73736888, 0.67549029); // cosine and sine
+  return vec2(way.x * golden.x - way.y * golden.y, way.x * golden.y + way.y * golden.x);
+}
+
+// The share of taps within tap number `tap`.
+float shadowDepthMapShare(int tap)
+{
+  return (float(tap) + 0.5) / float(SHADOW_DEPTH_MAP_TAPS);
 }
 
 // Depths around p.xy + offset, and the receiver's plane at their centres; the weights' share f.

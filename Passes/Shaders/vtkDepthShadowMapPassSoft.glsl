@@ -20,7 +20,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     return shadowDepthMapFourTexels(layer, vec3(shadowDepthMapWrapped(layer, p.xy), p.z), slope);
   }
 
-  vec2 turn = shadowDepthMapTurn();
+  vec2 first = shadowDepthMapFirstTap(), way = first;
   vec2 texels = min(vec2(1.0 / view.w, view.w), 1.0); // for each of the lengths
   float texel = 1.0 / min(texels.x, texels.y);
   vec3 before = vec3(p.xy, p.z - shadowDepthMapSlack(slope, 0.5));
@@ -29,17 +29,16 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
   {
     // Spread evenly over radii, for the cone is thin where blockers are near.
-    float share;
-    vec2 offset = reach * shadowDepthMapTap(tap, turn, share);
-    offset *= share;
+    float radius = reach * shadowDepthMapShare(tap);
     vec4 receiver;
     vec2 f;
-    vec4 depth = shadowDepthMapAround(layer, before, plane, offset * texels, receiver, f);
+    vec4 depth = shadowDepthMapAround(layer, before, plane, radius * way * texels, receiver, f);
     // A texel's width to spare, for the blocker's edge may lie anywhere in it.
-    vec4 cone = vec4(before.z - (length(offset) - texel) / view.x);
+    vec4 cone = vec4(before.z - (radius - texel) / view.x);
     vec4 blocks = vec4(lessThan(depth, min(min(receiver, cone), 1.0)));
     nearest = min(nearest, mix(vec4(1.0), depth, blocks));
     farthest = max(farthest, depth * blocks);
+    way = shadowDepthMapNextTap(way);
   }
   nearest.xy = min(nearest.xy, nearest.zw);
   farthest.xy = max(farthest.xy, farthest.zw);
@@ -61,11 +60,10 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   // Taps are spread evenly over the area where all slabs are alike, else towards radii, each with its ring's weight.
   float alike = narrowest / widest;
   vec4 blocked = vec4(0.0), open = vec4(0.0);
+  way = first;
   for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
   {
-    float share;
-    vec2 way = shadowDepthMapTap(tap, turn, share);
-    float root = sqrt(share);
+    float share = shadowDepthMapShare(tap), root = sqrt(share);
     float radius = mix(share, root, alike);
     float weight = radius * mix(1.0, 0.5 / root, alike);
     radius *= widest;
@@ -83,6 +81,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     blocked += weight * clamp(own - radius + 0.5, 0.0, 1.0) * overOwn * overOwn *
       (upTo - vec4(0.0, upTo.xyz));
     open += weight * clamp(middles - radius + 0.5, 0.0, 1.0) * (1.0 - upTo);
+    way = shadowDepthMapNextTap(way);
   }
   vec4 told = open + blocked;
   vec4 free = mix(vec4(1.0), open / max(told, 1e-6), vec4(greaterThan(told, vec4(1e-6))));

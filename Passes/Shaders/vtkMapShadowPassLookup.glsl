@@ -106,9 +106,8 @@ const int shadowMapFirstCascade = 6 * SHADOW_MAP_CUBES;
 #else
 const int shadowMapFirstCascade = 0;
 #endif
-// Squares of the reaches of a light's cascades, but the last's; infinite, as floats go, where there is none. Alike for
-// all pixels, these are no dearer as uniforms.
-uniform vec4 shadowMapCascadeReaches[2 * SHADOW_MAP_CASCADED_LIGHTS];
+// And ahead of this text stands vec4 shadowMapReaches[], for each light one, or two if it has more than four
+// cascades: squares of the reaches of its cascades, but the last's; infinite, as floats go, where there is none.
 
 // q: in the light's axes, as seen from the eye: its length is the distance that a cascade is chosen by. slope: of
 // the receiver's plane there. Where a cascade ends, over SHADOW_MAP_CASCADE_BLEND of its reach, it blends into
@@ -123,12 +122,13 @@ float shadowMapCascades(int light, vec4 q, vec2 slope)
 #else
   const float end = 1.0;
 #endif
-  vec3 isBeyond = step(end * shadowMapCascadeReaches[2 * light].xyz, vec3(square));
-  float beyond = isBeyond.x + isBeyond.y + isBeyond.z;
 #if SHADOW_MAP_CASCADES > 4
-  beyond += step(end * shadowMapCascadeReaches[2 * light].w, square);
-  isBeyond = step(end * shadowMapCascadeReaches[2 * light + 1].xyz, vec3(square));
-  beyond += isBeyond.x + isBeyond.y + isBeyond.z;
+  vec3 isBeyond = step(end * shadowMapReaches[2 * light + 1].xyz, vec3(square));
+  float beyond = isBeyond.x + isBeyond.y + isBeyond.z +
+    dot(step(end * shadowMapReaches[2 * light], vec4(square)), vec4(1.0));
+#else
+  vec3 isBeyond = step(end * shadowMapReaches[light].xyz, vec3(square));
+  float beyond = isBeyond.x + isBeyond.y + isBeyond.z;
 #endif
   int row = shadowMapFirstCascade + 2 * (SHADOW_MAP_CASCADES * light + int(beyond + 0.5));
   vec4 offset = texelFetch(shadowMapRows, row);
