@@ -9,6 +9,7 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSceneData.h"
 #include "vtkShadowSumFS.h"
+#include "vtkShadowVertexArray.h"
 #include "vtkShadowedShadingPass.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -225,23 +226,17 @@ void vtkPlanarShadowCanvas::DrawPlateaus(const vtkShadowFrame& frame,
     vtkPlanarShadowPassPlateauVS, vtkPlanarShadowPassPlateauFS, "");
   std::array<float, 16> matrix = vtkShadowMatrix::ToFloats(clipFromPlateau);
   program->SetUniformMatrix4x4("shadowClipFromPlateau", matrix.data());
-  GLuint arrays = 0, buffer = 0;
-  glGenVertexArrays(1, &arrays);
-  glBindVertexArray(arrays);
+  GLuint buffer = 0;
   glGenBuffers(1, &buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER,
-    static_cast<GLsizeiptr>(triangles.size() * sizeof(vtkshadows::PlateauVertex)), triangles.data(),
-    GL_STREAM_DRAW);
-  const GLint location = glGetAttribLocation(program->GetHandle(), "shadowVertex");
-  glEnableVertexAttribArray(static_cast<GLuint>(location));
-  glVertexAttribPointer(static_cast<GLuint>(location), 4, GL_FLOAT, GL_FALSE,
-    sizeof(vtkshadows::PlateauVertex), nullptr);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindVertexArray(0);
+  {
+    const vtkShadowVertexArray vertices(buffer);
+    glBufferData(GL_ARRAY_BUFFER,
+      static_cast<GLsizeiptr>(triangles.size() * sizeof(vtkshadows::PlateauVertex)),
+      triangles.data(), GL_STREAM_DRAW);
+    vertices.AddFloats(program, "shadowVertex", 4, sizeof(vtkshadows::PlateauVertex));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+  }
   glDeleteBuffers(1, &buffer);
-  glDeleteVertexArrays(1, &arrays);
 
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglBlendEquation(GL_FUNC_ADD);

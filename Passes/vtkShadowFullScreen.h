@@ -3,7 +3,7 @@
 #define vtkShadowFullScreen_h
 
 #include "vtkShadowFullScreenVS.h"
-#include "vtkShadowOpenGL.h"
+#include "vtkShadowVertexArray.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -20,12 +20,8 @@ inline vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const char* fragme
 // By the program that is ready. Without vertex arrays: everything comes from gl_VertexID.
 inline void Draw()
 {
-  GLuint arrays = 0;
-  glGenVertexArrays(1, &arrays);
-  glBindVertexArray(arrays);
+  const vtkShadowVertexArray none;
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-  glDeleteVertexArrays(1, &arrays);
 }
 
 }

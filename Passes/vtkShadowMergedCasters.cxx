@@ -6,6 +6,7 @@
 #include "vtkShadowMergedCastersFS.h"
 #include "vtkShadowMergedCastersVS.h"
 #include "vtkShadowOpenGL.h"
+#include "vtkShadowVertexArray.h"
 
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -264,19 +265,9 @@ void vtkShadowMergedCasters::DrawRanges(const vtkShadowFrame& frame, bool writes
   program->SetUniformi("shadowMatrices", this->MatrixTexture.Unit());
   state->vtkglDepthMask(writesDepth ? GL_TRUE : GL_FALSE);
 
-  GLuint arrays = 0;
-  glGenVertexArrays(1, &arrays);
-  glBindVertexArray(arrays);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Indices.Buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.Buffer);
-  const auto handle = static_cast<GLuint>(program->GetHandle());
-  const auto position = static_cast<GLuint>(glGetAttribLocation(handle, "shadowVertex"));
-  glEnableVertexAttribArray(position);
-  glVertexAttribPointer(position, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-  const auto matrix = static_cast<GLuint>(glGetAttribLocation(handle, "shadowMatrix"));
-  glEnableVertexAttribArray(matrix);
-  glVertexAttribIPointer(matrix, 1, GL_UNSIGNED_INT, sizeof(Vertex),
-    reinterpret_cast<const void*>(offsetof(Vertex, Matrix)));
+  const vtkShadowVertexArray vertices(this->Vertices.Buffer, this->Indices.Buffer);
+  vertices.AddFloats(program, "shadowVertex", 3, sizeof(Vertex));
+  vertices.AddNumber(program, "shadowMatrix", sizeof(Vertex), offsetof(Vertex, Matrix));
   const GLenum hidden[] = { GL_NONE, GL_FRONT, GL_BACK };
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
@@ -297,7 +288,4 @@ void vtkShadowMergedCasters::DrawRanges(const vtkShadowFrame& frame, bool writes
     glMultiDrawElements(GL_TRIANGLES, ranges.Counts.data(), GL_UNSIGNED_INT, ranges.Offsets.data(),
       static_cast<GLsizei>(ranges.Counts.size()));
   }
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindVertexArray(0);
-  glDeleteVertexArrays(1, &arrays);
 }

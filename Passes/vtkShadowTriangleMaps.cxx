@@ -10,6 +10,7 @@
 #include "vtkShadowTextureBuffer.h"
 #include "vtkShadowTriangleMapsFS.h"
 #include "vtkShadowTriangleMapsVS.h"
+#include "vtkShadowVertexArray.h"
 
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -456,19 +457,10 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
   program->SetUniformMatrix4x4("shadowClipFromLight", clipFromLight.data());
   // What lies before the near plane still casts.
   glEnable(GL_DEPTH_CLAMP);
-  GLuint arrays = 0;
-  glGenVertexArrays(1, &arrays);
-  glBindVertexArray(arrays);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
-  const auto place = static_cast<GLuint>(
-    glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "shadowCorner"));
-  glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, 3, GL_FLOAT, GL_FALSE, sizeof(LightCorner), nullptr);
+  const vtkShadowVertexArray corners(this->Buffer);
+  corners.AddFloats(program, "shadowCorner", 3, sizeof(LightCorner));
   glMultiDrawArrays(
     GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindVertexArray(0);
-  glDeleteVertexArrays(1, &arrays);
   glDisable(GL_DEPTH_CLAMP);
 }
 
