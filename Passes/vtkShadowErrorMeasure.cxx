@@ -93,7 +93,7 @@ bool vtkShadowErrorMeasure::Measure(vtkRenderer* renderer, vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowErrorMeasure::MeasureAgain(vtkImageData* visibility)
+bool vtkShadowErrorMeasure::MeasureAgain(vtkImageData* visibility, int component)
 {
   vtkShadowPass::Measured& measured = this->Internal->Measured;
   if (measured.Truth.empty())
@@ -103,15 +103,21 @@ bool vtkShadowErrorMeasure::MeasureAgain(vtkImageData* visibility)
   }
   const int* size = visibility ? visibility->GetDimensions() : nullptr;
   if (!size || size[0] != measured.Size[0] || size[1] != measured.Size[1] || size[2] != 1 ||
-    visibility->GetScalarType() != VTK_FLOAT || visibility->GetNumberOfScalarComponents() != 1)
+    visibility->GetScalarType() != VTK_FLOAT || component < 0 ||
+    component >= visibility->GetNumberOfScalarComponents())
   {
-    vtkErrorMacro("The visibility " << visibility << " is no image of one float component and "
-                                    << measured.Size[0] << " x " << measured.Size[1]
-                                    << " pixels: give one as GetVisibility has it.");
+    vtkErrorMacro("The visibility " << visibility << " is no image of " << measured.Size[0] << " x "
+                                    << measured.Size[1] << " pixels with a float component "
+                                    << component << ": give one as GetVisibility has it.");
     return false;
   }
-  const auto* values = static_cast<const float*>(visibility->GetScalarPointer());
-  measured.Visibility.assign(values, values + measured.Truth.size());
+  const auto* values = static_cast<const float*>(visibility->GetScalarPointer()) + component;
+  const int components = visibility->GetNumberOfScalarComponents();
+  measured.Visibility.resize(measured.Truth.size());
+  for (std::size_t i = 0; i < measured.Visibility.size(); ++i)
+  {
+    measured.Visibility[i] = values[i * components];
+  }
   this->Evaluate();
   return true;
 }

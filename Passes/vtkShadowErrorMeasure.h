@@ -47,13 +47,14 @@ public:
   bool Measure(vtkRenderer* renderer, vtkLight* light);
 
   /**
-   * Hold another visibility of the same light and view, one float component of the same size, 0 to
-   * 1, against the truth of the last Measure, which need not be made again: by another technique,
-   * or read off a picture that none of these drew. What is not a number is left out, and counted as
-   * uncertain. false, with an error, if there is no truth or the image is of another kind; then
-   * nothing changed.
+   * Hold another visibility of the same light and view, floats of the same size, 0 to 1, against
+   * the truth of the last Measure, which need not be made again: by another technique, or read off
+   * a picture that none of these drew. `component`: the one that is the light's, as in an image of
+   * vtkShadowPass::GetVisibilities. What is not a number is left out, and counted as uncertain.
+   * false, with an error, if there is no truth or the image is of another kind; then nothing
+   * changed.
    */
-  bool MeasureAgain(vtkImageData* visibility);
+  bool MeasureAgain(vtkImageData* visibility, int component = 0);
 
   ///@{
   /**

@@ -54,6 +54,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 class vtkActor;
 class vtkDepthShadowMapPass;
@@ -349,6 +350,13 @@ public:
   bool GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkImageData* visibility);
 
   /**
+   * As GetVisibility, of all lights of `renderer` that are switched on: a component for each, in
+   * their order. What all lights are drawn by is made once, where n calls of GetVisibility make it
+   * n times.
+   */
+  bool GetVisibilities(vtkRenderer* renderer, vtkImageData* visibilities);
+
+  /**
    * In how many shadow volumes of one light the receiver of each pixel lies, as GetVisibility gives
    * visibility: one float component, 0 or less where lit; where there is no receiver it says
    * nothing. The light's technique must be "stencil-volume". Of a light with a radius, its last
@@ -507,7 +515,11 @@ private:
   vtkShadowPass(const vtkShadowPass&) = delete;
   void operator=(const vtkShadowPass&) = delete;
 
+  // What is read back outside of a frame: whether `renderer` can be drawn; the number of a light;
+  // and visibility of `lights`, by their numbers, as components.
+  bool IsReadable(vtkRenderer* renderer);
   bool FindLight(vtkRenderer* renderer, vtkLight* light, int& index);
+  bool ReadVisibility(vtkRenderer* renderer, const std::vector<int>& lights, vtkImageData* image);
   void ShowDebugView(const vtkShadowFrame& frame);
 
   class Internals;

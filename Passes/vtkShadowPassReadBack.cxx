@@ -53,12 +53,21 @@ private:
   std::vector<vtkProp*> Props;
 };
 
-void FillImage(vtkImageData* image, const vtkShadowFrame& frame, const std::vector<float>& values,
-  const char* name)
+// A component for each of `values`.
+void FillImage(vtkImageData* image, const vtkShadowFrame& frame,
+  const std::vector<std::vector<float>>& values, const char* name)
 {
+  const int components = static_cast<int>(values.size());
   image->SetDimensions(frame.Size[0], frame.Size[1], 1);
-  image->AllocateScalars(VTK_FLOAT, 1);
-  std::copy(values.begin(), values.end(), static_cast<float*>(image->GetScalarPointer()));
+  image->AllocateScalars(VTK_FLOAT, components);
+  auto* pixels = static_cast<float*>(image->GetScalarPointer());
+  for (int c = 0; c < components; ++c)
+  {
+    for (std::size_t i = 0; i < values[c].size(); ++i)
+    {
+      pixels[i * components + c] = values[c][i];
+    }
+  }
   image->GetPointData()->GetScalars()->SetName(name);
   image->Modified();
 }
@@ -94,7 +103,7 @@ struct vtkShadowPass::Internals::ReadBack
 };
 
 //------------------------------------------------------------------------------
-bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index)
+bool vtkShadowPass::IsReadable(vtkRenderer* renderer)
 {
   auto* window =
     renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
@@ -107,6 +116,15 @@ bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index
     return false;
   }
   window->MakeCurrent();
+  return true;
+}
+
+bool vtkShadowPass::FindLight(vtkRenderer* renderer, vtkLight* light, int& index)
+{
+  if (!this->IsReadable(renderer))
+  {
+    return false;
+  }
   index = 0;
   vtkCollectionSimpleIterator it;
   renderer->GetLights()->InitTraversal(it);
@@ -135,21 +153,62 @@ bool vtkShadowPass::GetVisibility(vtkRenderer* renderer, vtkLight* light, vtkIma
       "GetVisibility(" << renderer << ", " << light << ", nullptr): give a vtkImageData to fill.");
     return false;
   }
-  if (!this->FindLight(renderer, light, index))
+  return this->FindLight(renderer, light, index) &&
+    this->ReadVisibility(renderer, { index }, visibility);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetVisibilities(vtkRenderer* renderer, vtkImageData* visibilities)
+{
+  if (!visibilities)
+  {
+    vtkErrorMacro("GetVisibilities(" << renderer << ", nullptr): give a vtkImageData to fill.");
+    return false;
+  }
+  if (!this->IsReadable(renderer))
   {
     return false;
   }
+  std::vector<int> all;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      all.push_back(static_cast<int>(all.size()));
+    }
+  }
+  if (all.empty())
+  {
+    vtkErrorMacro(
+      "Renderer " << renderer << " has no light that is switched on: add one, or switch one on.");
+    return false;
+  }
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  return this->ReadVisibility(renderer, all, visibilities);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::ReadVisibility(
+  vtkRenderer* renderer, const std::vector<int>& lights, vtkImageData* image)
+{
   const Internals::ReadBack readBack(*this->Internal, renderer, false, false);
   const vtkShadowFrame& frame = readBack.Frame;
-  std::vector<float> values(static_cast<std::size_t>(frame.Size[0]) * frame.Size[1], 1.0f);
-  if (readBack.IsBegun && !this->Internal->Receivers.DrawVisibility(frame, index, values))
+  const std::size_t pixels = static_cast<std::size_t>(frame.Size[0]) * frame.Size[1];
+  std::vector<std::vector<float>> values(lights.size(), std::vector<float>(pixels, 1.0f));
+  for (std::size_t i = 0; readBack.IsBegun && i < lights.size(); ++i)
   {
-    vtkErrorMacro("The driver cannot hold a buffer of "
-      << frame.Size[0] << " x " << frame.Size[1]
-      << " float pixels to read visibility from. Use a smaller window.");
-    return false;
+    if (!this->Internal->Receivers.DrawVisibility(frame, lights[i], values[i]))
+    {
+      vtkErrorMacro("The driver cannot hold a buffer of "
+        << frame.Size[0] << " x " << frame.Size[1]
+        << " float pixels to read visibility from. Use a smaller window.");
+      return false;
+    }
   }
-  FillImage(visibility, frame, values, "Visibility");
+  FillImage(image, frame, values, "Visibility");
   return true;
 }
 
@@ -178,7 +237,7 @@ bool vtkShadowPass::GetVolumeCounts(vtkRenderer* renderer, vtkLight* light, vtkI
                            << "\", or nothing casts. Give it \"stencil-volume\".");
     return false;
   }
-  FillImage(counts, readBack.Frame, values, "VolumeCounts");
+  FillImage(counts, readBack.Frame, { values }, "VolumeCounts");
   return true;
 }
 

@@ -131,6 +131,10 @@ TEST_F(Errors, Nothing)
   ExpectOneMessage({ "vtkShadowPass", "vtkImageData" });
   EXPECT_FALSE(this->Shadows->GetVisibility(elsewhere, this->Light, image));
   ExpectOneMessage({ "vtkShadowPass", "window", "Render()" });
+  EXPECT_FALSE(this->Shadows->GetVisibilities(nullptr, image));
+  ExpectOneMessage({ "vtkShadowPass", "renderer", "Render()" });
+  EXPECT_FALSE(this->Shadows->GetVisibilities(this->Renderer, nullptr));
+  ExpectOneMessage({ "vtkShadowPass", "vtkImageData" });
 
   // These have a meaning.
   this->Shadows->ClearLightSettings(nullptr);
@@ -199,9 +203,9 @@ TEST_F(Errors, MeasureAgainWithoutATruthOrWithAnotherSize)
   image->SetDimensions(7, 5, 1);
   image->AllocateScalars(VTK_FLOAT, 1);
   EXPECT_FALSE(error->MeasureAgain(image));
-  ExpectOneMessage({ "vtkShadowErrorMeasure", "one float component", "400 x 300" });
+  ExpectOneMessage({ "vtkShadowErrorMeasure", "float component 0", "400 x 300" });
   EXPECT_FALSE(error->MeasureAgain(nullptr));
-  ExpectOneMessage({ "vtkShadowErrorMeasure", "one float component" });
+  ExpectOneMessage({ "vtkShadowErrorMeasure", "float component 0" });
   Check("receivers", double(error->GetReceiverPixels()), double(receivers));
 
   // The truth itself is right; lit everywhere, what is in shadow is missed; no number is left out.
@@ -217,6 +221,24 @@ TEST_F(Errors, MeasureAgainWithoutATruthOrWithAnotherSize)
   ASSERT_TRUE(error->MeasureAgain(image));
   Check("receivers of no number", double(error->GetReceiverPixels()), 0.0);
   Check("left out", double(error->GetUncertainPixels()), double(uncertain + receivers));
+
+  // Of several lights.
+  const int* size = error->GetTruth()->GetDimensions();
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(VTK_FLOAT, 2);
+  values = static_cast<float*>(image->GetScalarPointer());
+  const auto* truth = static_cast<float*>(error->GetTruth()->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    values[2 * i] = 1.0f;
+    values[2 * i + 1] = truth[i];
+  }
+  ASSERT_TRUE(error->MeasureAgain(image, 1));
+  Check("mismatch of the second component", double(error->GetMismatchPixels()), 0.0);
+  ASSERT_TRUE(error->MeasureAgain(image, 0));
+  Check("mismatch of the first", double(error->GetMismatchPixels()), double(shadow));
+  EXPECT_FALSE(error->MeasureAgain(image, 2));
+  ExpectOneMessage({ "vtkShadowErrorMeasure", "float component 2" });
 }
 
 //------------------------------------------------------------------------------

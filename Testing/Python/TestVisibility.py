@@ -74,10 +74,22 @@ class TestVisibility(unittest.TestCase):
         by_light = vtkshadows.visibility(SCENE.renderer, second)
         self.assertTrue((by_light == vtkshadows.visibility(SCENE.renderer, numpy.int64(1))).all())
 
+        # All at once, by one light and by two.
+        both = vtkshadows.visibilities(SCENE.renderer)
+        self.assertEqual(both.shape, (2, *by_light.shape))
+        for index in (0, 1):
+            self.assertTrue((both[index] == vtkshadows.visibility(SCENE.renderer, index)).all(), index)
+        self.assertFalse((both[0] == both[1]).all())
+
         # An index counts the lights that are on.
         SCENE.light.SwitchOff()
         SCENE.window.Render()
         self.assert_shadow_at(vtkshadows.visibility(SCENE.renderer, 0), 1.5, -1.5)
+        alone = vtkshadows.visibilities(SCENE.renderer)
+        self.assertTrue((alone == vtkshadows.visibility(SCENE.renderer, 0)[numpy.newaxis]).all())
+        second.SwitchOff()
+        with self.assertRaisesRegex(RuntimeError, "no light that is switched on"):
+            vtkshadows.visibilities(SCENE.renderer)
 
     def test_strength_is_left_out(self):
         vtkshadows.enable(SCENE.renderer, strength=0.5)

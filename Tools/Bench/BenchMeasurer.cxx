@@ -339,7 +339,7 @@ BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)
   }
   const vtkSmartPointer<vtkShadowPass> shadows = this->stage.MakeShadows(soft);
   this->stage.UseShadows(shadows);
-  shadows->SetTechnique("ray-cast");
+  shadows->SetTechnique(soft ? "none" : "ray-cast");
   shadows->GetRayCastShadowPass()->SetLightSamples(TruthSamples(this->options.bench));
   this->stage.Window().Render();
   if (!soft)
@@ -347,6 +347,7 @@ BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)
     this->listener.picture(
       "scene-" + this->shown->scene + ".png", PngOfBytes(this->stage.Picture()));
   }
+  shadows->SetTechnique("none"); // else the same rays are traced for what is measured, too
   Truths truth;
   for (vtkLight* light : this->stage.Lights())
   {
@@ -381,6 +382,13 @@ double BenchMeasurer::ErrorOfPictures(std::size_t light)
 BenchJson BenchMeasurer::ErrorsOf(const BenchEntrant& entrant)
 {
   const BenchRun& run = entrant.Run();
+  vtkNew<vtkImageData> visibilities; // a component for each light
+  if (!entrant.Peer() &&
+    !this->stage.Shadows()->GetVisibilities(this->stage.Renderer(), visibilities))
+  {
+    throw Failure("visibility in scene", run.scene, TakeVtkError(),
+      "leave the setting " + run.setting.name + " out");
+  }
   BenchJson errors = BenchJson::array();
   for (std::size_t light = 0; light < this->stage.Lights().size(); ++light)
   {
@@ -388,24 +396,16 @@ BenchJson BenchMeasurer::ErrorsOf(const BenchEntrant& entrant)
     error["light"] = light;
     error["kind"] = NameOf(KindOf(this->stage.Lights()[light]));
     error["error_of_pictures_percent"] = nullptr;
-    vtkSmartPointer<vtkImageData> visibility;
+    vtkShadowErrorMeasure* measure = this->TruthsOf(run.setting.soft)[light];
     if (entrant.Peer())
     {
       error["error_of_pictures_percent"] = this->ErrorOfPictures(light);
-      visibility = VisibilityOffPictures(this->stage, light, entrant.Peer());
+      measure->MeasureAgain(VisibilityOffPictures(this->stage, light, entrant.Peer()));
     }
     else
     {
-      visibility = vtkSmartPointer<vtkImageData>::New();
-      if (!this->stage.Shadows()->GetVisibility(
-            this->stage.Renderer(), this->stage.Lights()[light], visibility))
-      {
-        throw Failure("visibility of light", std::to_string(light), TakeVtkError(),
-          "leave the setting " + run.setting.name + " out");
-      }
+      measure->MeasureAgain(visibilities, static_cast<int>(light));
     }
-    vtkShadowErrorMeasure* measure = this->TruthsOf(run.setting.soft)[light];
-    measure->MeasureAgain(visibility);
     error["receiver_pixels"] = measure->GetReceiverPixels();
     error["shadow_pixels"] = measure->GetShadowPixels();
     error["uncertain_pixels"] = measure->GetUncertainPixels();
