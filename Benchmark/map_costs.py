@@ -5,9 +5,10 @@
     ... Benchmark/map_costs.py --scenes terrain,room --cpu
 
 Software OpenGL, 1024x768. Each comparison is of ways to draw one scene, of which the first is what the others are held
-against. All of them are timed in every round, so that they share the machine's moods; printed are medians of the
-rounds' ratios, and the mean, in which the frames count in which a map is drawn. Static: the light stands and the camera
-moves a little, as it does when someone looks about; every way sees the same views. Moving: the light moves, too.
+against. All of them are timed in every round, so that they share the machine's moods, by some frames in a row, so that
+each finds in the processor's caches what its last frame left there, as it does when it draws alone; printed are medians
+of the rounds' ratios, and the mean, in which the frames count in which a map is drawn. Static: the light stands and the
+camera moves a little, as it does when someone looks about; every way sees the same views. Moving: the light moves, too.
 With --cpu the processor time of all threads is taken instead of the time on the clock: on a machine that does other
 things, too, its ratios are the steadier ones.
 A further comparison is a function that yields a scene, with its name, and the ways, in SCENES.
@@ -174,10 +175,15 @@ def shift_lights(renderer, i):
         light.SetPosition(x * (1.001 if i % 2 else 1 / 1.001), y, z)
 
 
+def all_frames(visits):
+    return [milliseconds for visit in visits for milliseconds in visit]
+
+
 def ratios(times):
     first = next(iter(times.values()))
-    medians = [statistics.median(a / b for a, b in zip(own, first)) for own in times.values()]
-    means = [statistics.mean(own) / statistics.mean(first) for own in times.values()]
+    median = statistics.median
+    medians = [median(median(a) / median(b) for a, b in zip(own, first)) for own in times.values()]
+    means = [statistics.mean(all_frames(own)) / statistics.mean(all_frames(first)) for own in times.values()]
     return medians, means
 
 
@@ -188,32 +194,33 @@ def processor_time(window):
     return 1e3 * (time.process_time() - begin)
 
 
-def timed_in_turn(window, scene, passes, rounds, is_moving, take):
-    """Frame times of every way, by half steps of the camera, of which the second is timed: the first frame of a pass
-    looks shaders up."""
+def timed_in_turn(window, scene, passes, options, is_moving, take):
+    """Frame times of every way, a list for each of its visits. The first frame of a visit, which looks shaders up, is not
+    timed."""
     times = {name: [] for name in passes}
-    for i in range(WARM_UP + rounds):
+    for i in range(WARM_UP + options.rounds):
         for name, way in scene.ways.items():
             show(scene.renderer, way, passes[name])
-            scene.move(i)
-            window.Render()
-            scene.move(i + 0.5)
-            if is_moving:
-                shift_lights(scene.renderer, i)
-            milliseconds = take(window)
+            visit = []
+            for j in range(options.frames + 1):
+                frame = i * (options.frames + 1) + j
+                scene.move(0.5 * frame)
+                if is_moving:
+                    shift_lights(scene.renderer, frame)
+                visit.append(take(window))
             if i >= WARM_UP:
-                times[name].append(milliseconds)
+                times[name].append(visit[1:])
     return times
 
 
-def compare(window, scene, rounds, take):
+def compare(window, scene, options, take):
     window.AddRenderer(scene.renderer)
     passes = {name: prepared(scene.renderer, way) for name, way in scene.ways.items()}
-    static = timed_in_turn(window, scene, passes, rounds, False, take)
-    moving = timed_in_turn(window, scene, passes, rounds, True, take)
+    static = timed_in_turn(window, scene, passes, options, False, take)
+    moving = timed_in_turn(window, scene, passes, options, True, take)
     for name, still, still_mean, moved in zip(passes, *ratios(static), ratios(moving)[0]):
         print(
-            f"| {scene.name} | {name} | {statistics.median(static[name]):.1f} "
+            f"| {scene.name} | {name} | {statistics.median(all_frames(static[name])):.1f} "
             f"| {still:.2f} | {still_mean:.2f} | {moved:.2f} |",
             flush=True,
         )
@@ -222,7 +229,8 @@ def compare(window, scene, rounds, take):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=30)
+    parser.add_argument("--rounds", type=int, default=20)
+    parser.add_argument("--frames", type=int, default=4, help="timed frames of a way in each round")
     parser.add_argument("--scenes", default=",".join(SCENES), help=f"of {', '.join(SCENES)}")
     parser.add_argument("--cascades", default="4", help="numbers of cascades, 1 to 8")
     parser.add_argument("--cpu", action="store_true", help="processor time instead of the clock's")
@@ -235,7 +243,7 @@ def main():
     print("| scene | way | static ms | static | static, of the means | moving |\n|---|---|---|---|---|---|")
     for name in options.scenes.split(","):
         for scene in SCENES[name](options):
-            compare(window, scene, options.rounds, processor_time if options.cpu else timed)
+            compare(window, scene, options, processor_time if options.cpu else timed)
 
 
 if __name__ == "__main__":
