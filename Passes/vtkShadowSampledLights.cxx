@@ -368,6 +368,10 @@ void vtkShadowSampledLights::UploadRows(vtkOpenGLRenderWindow* window)
       static_cast<float>(light.Places.size()), 0.0f });
     std::for_each(light.Places.begin(), light.Places.end(), add);
   }
+  if (!this->Lights.empty() && rows.empty())
+  {
+    rows.resize(4); // none is read, but its sampler must name a texture of its kind
+  }
   this->Rows.Keep(window, 4, rows);
 }
 
@@ -381,10 +385,7 @@ void vtkShadowSampledLights::SetParameters(vtkShaderProgram* program) const
   program->SetUniform4fv("shadowSampledLights", static_cast<int>(this->Headers.size()),
     reinterpret_cast<const float(*)[4]>(this->Headers.data()));
   program->SetUniformi("shadowSampledMaps", this->Textures.Unit());
-  if (this->Rows.Unit() >= 0)
-  {
-    program->SetUniformi("shadowSampledRows", this->Rows.Unit());
-  }
+  program->SetUniformi("shadowSampledRows", this->Rows.Unit());
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,10 @@
 
 #include "vtkShadowErrorMeasure.h"
 
+#include <vtkImageData.h>
+#include <vtkTexture.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -265,6 +269,29 @@ TEST_F(DepthMapFilters, SampleMapsAreKept)
   this->Light->SetPosition(3.4, -3.0, 6.5);
   this->Render();
   Check("maps once the light moved", builds(), first + 9.0);
+}
+
+// Their samplers are declared all the same, beside a picture's in the first unit.
+TEST_F(DepthMapFilters, SampleLightsWhoseCastersReachNothing)
+{
+  vtkSmartPointer<vtkActor> floor = AddFloor(this->Renderer, 4.0);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 12, 200);
+  vtkNew<vtkTexture> picture;
+  picture->SetInputData(image);
+  floor->SetTexture(picture);
+  vtkSmartPointer<vtkActor> behind = AddSphere(this->Renderer, { 0.0, 0.0, -30.0 }, 0.5);
+  vtkShadowPass::SetReceivesShadows(behind, false);
+  vtkShadowPass::SetCastsShadows(floor, false);
+  this->Light = AddSun(this->Renderer, { 0.3, 0.4, -1.0 });
+  LookAt(this->Renderer, { 1.0, -6.0, 4.5 }, { 0.0, 0.0, 0.5 });
+  this->Shadows->SetLightRadius(this->Light, 0.05);
+  this->Maps()->SetFilter(Pass::SAMPLE_LIGHTS);
+  const Frame frame = this->Render();
+  Check("pixels beside a frame without shadows",
+    static_cast<double>(CountDifferent(frame, this->RenderWithoutPass())), 0.0);
 }
 
 //------------------------------------------------------------------------------
