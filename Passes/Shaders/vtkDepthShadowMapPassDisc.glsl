@@ -13,7 +13,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     vec4 depth = shadowDepthMapAround(layer, p, plane, offset, receiver, f);
     vec4 lit = step(min(receiver, 1.0), depth);
     sum += shadowDepthMapBlend(lit, f);
-    way = shadowDepthMapNextTap(way);
+    way = shadowDepthMapTurned(way);
   }
   return sum / float(SHADOW_DEPTH_MAP_TAPS);
 }

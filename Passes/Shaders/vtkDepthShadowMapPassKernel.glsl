@@ -1,17 +1,11 @@
 // Taps over a disc of texels, for the filters "disc" and "soft". Ahead of it stands SHADOW_DEPTH_MAP_TAPS.
 // H. Vogel 1979: points spread evenly over a disc, turned from pixel to pixel, so that their steps become grain.
 
-// Direction of the first tap; each next one is turned by the golden angle.
+// Direction of the first tap; each next one is by shadowDepthMapTurned.
 vec2 shadowDepthMapFirstTap()
 {
   float angle = 6.2831853 * shadowDepthMapNoise();
   return vec2(cos(angle), sin(angle));
-}
-
-vec2 shadowDepthMapNextTap(vec2 way)
-{
-  const vec2 golden = vec2(-0.73736888, 0.67549029); // cosine and sine
-  return vec2(way.x * golden.x - way.y * golden.y, way.x * golden.y + way.y * golden.x);
 }
 
 // The share of taps within tap number `tap`.

@@ -38,7 +38,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     vec4 blocks = vec4(lessThan(depth, min(min(receiver, cone), 1.0)));
     nearest = min(nearest, mix(vec4(1.0), depth, blocks));
     farthest = max(farthest, depth * blocks);
-    way = shadowDepthMapNextTap(way);
+    way = shadowDepthMapTurned(way);
   }
   nearest.xy = min(nearest.xy, nearest.zw);
   farthest.xy = max(farthest.xy, farthest.zw);
@@ -81,7 +81,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     blocked += weight * clamp(own - radius + 0.5, 0.0, 1.0) * overOwn * overOwn *
       (upTo - vec4(0.0, upTo.xyz));
     open += weight * clamp(middles - radius + 0.5, 0.0, 1.0) * (1.0 - upTo);
-    way = shadowDepthMapNextTap(way);
+    way = shadowDepthMapTurned(way);
   }
   vec4 told = open + blocked;
   vec4 free = mix(vec4(1.0), open / max(told, 1e-6), vec4(greaterThan(told, vec4(1e-6))));

@@ -25,12 +25,11 @@ vec2 shadowTextureMean(int layer, vec3 p, float width, int n)
   float level = clamp(log2(width * inversesqrt(float(n))), 0.0, float(SHADOW_TEXTURE_LEVELS));
   float radius = sqrt(max(0.25 * width * width - exp2(2.0 * level), 0.0));
   vec2 sum = vec2(0.0), way = vec2(1.0, 0.0);
-  const vec2 golden = vec2(-0.73736888, 0.67549029); // cosine and sine of what each place is turned by
   for (int i = 0; i < n; ++i)
   {
     float reach = radius * sqrt((float(i) + 0.5) / float(n));
     sum += shadowTextureAt(layer, vec3(p.xy + reach * way, p.z), level);
-    way = vec2(way.x * golden.x - way.y * golden.y, way.x * golden.y + way.y * golden.x);
+    way = shadowTextureTurned(way);
   }
   return sum / float(n);
 }

@@ -339,15 +339,16 @@ BenchMeasurer::Truths& BenchMeasurer::TruthsOf(bool soft)
   }
   const vtkSmartPointer<vtkShadowPass> shadows = this->stage.MakeShadows(soft);
   this->stage.UseShadows(shadows);
-  shadows->SetTechnique(soft ? "none" : "ray-cast");
   shadows->GetRayCastShadowPass()->SetLightSamples(TruthSamples(this->options.bench));
-  this->stage.Window().Render();
   if (!soft)
   {
+    shadows->SetTechnique("ray-cast");
+    this->stage.Window().Render();
     this->listener.picture(
       "scene-" + this->shown->scene + ".png", PngOfBytes(this->stage.Picture()));
   }
   shadows->SetTechnique("none"); // else the same rays are traced for what is measured, too
+  this->stage.Window().Render();
   Truths truth;
   for (vtkLight* light : this->stage.Lights())
   {
