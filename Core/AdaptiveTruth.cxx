@@ -231,16 +231,17 @@ bool AdaptiveTruth::Measure(const std::vector<float>& visibility, VisibilityErro
 bool AdaptiveTruth::HangsOnSample(const VisibilityError& error, const Deviations& deviations) const
 {
   // Standard errors that a mean is below its limit by; surely, if nothing is uncertain.
-  const auto below = [](double mean, double limit, double deviation)
+  const auto below = [](double mean, double limit, double deviation, double tolerance)
   {
-    return limit <= 0.0 ? SureDeviations
-      : deviation > 0.0 ? (limit - mean) / deviation
-      : mean <= limit   ? SureDeviations
-                        : -SureDeviations;
+    return limit <= 0.0                        ? SureDeviations
+      : SureDeviations * deviation > tolerance ? (limit - mean) / deviation
+      : mean <= limit                          ? SureDeviations
+                                               : -SureDeviations;
   };
-  const double mean = below(error.MeanAbsoluteDifference(), this->With.meanLimit, deviations.mean);
+  const double mean = below(error.MeanAbsoluteDifference(), this->With.meanLimit, deviations.mean,
+    this->With.meanTolerance);
   const double penumbra =
-    below(error.MeanPenumbraDifference(), this->With.penumbraLimit, deviations.penumbra);
+    below(error.MeanPenumbraDifference(), this->With.penumbraLimit, deviations.penumbra, 0.0);
   const double worst = std::min(mean, penumbra);
   return std::abs(worst) < SureDeviations;
 }

@@ -38,6 +38,7 @@ public:
     // finely, up to so many times the above.
     double meanLimit = 0.0;
     double penumbraLimit = 0.0;
+    double meanTolerance = 0.0; // beside its limit, that the first need be known no better than
     double mostTimes = 16.0;
   };
 

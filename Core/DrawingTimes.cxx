@@ -3,6 +3,9 @@
 #include "ShadowCandidates.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace vtkshadows
 {
@@ -13,6 +16,13 @@ bool DifferBySamples(ShadowSetting a, const ShadowSetting& b)
 {
   a.samples = b.samples;
   return a == b;
+}
+
+bool DifferByTexels(ShadowSetting a, const ShadowSetting& b)
+{
+  const bool areMaps = a.resolution > 0 && b.resolution > 0;
+  a.resolution = b.resolution;
+  return areMaps && a == b;
 }
 
 }
@@ -59,6 +69,41 @@ std::optional<double> DrawingTimes::AtLeast(const ShadowSetting& setting) const
       *least, last + (last - less) / (more - fewer) * static_cast<double>(setting.samples - more));
   }
   return least;
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> DrawingTimes::About(
+  const ShadowSetting& setting, const std::function<double(const ShadowSetting&)>& costOf) const
+{
+  if (this->Known.empty())
+  {
+    return std::nullopt;
+  }
+  using Entry = std::pair<ShadowSetting, double>;
+  const double cost = costOf(setting);
+  const auto rateOf = [&](const Entry& entry) { return entry.second / costOf(entry.first); };
+  const auto distanceOf = [&](const Entry& entry)
+  { return std::abs(std::log(costOf(entry.first) / cost)); };
+  for (const auto differ : { DifferBySamples, DifferByTexels })
+  {
+    const Entry* nearest = nullptr;
+    for (const Entry& entry : this->Known)
+    {
+      if (differ(entry.first, setting) && (!nearest || distanceOf(entry) < distanceOf(*nearest)))
+      {
+        nearest = &entry;
+      }
+    }
+    if (nearest)
+    {
+      return cost * rateOf(*nearest);
+    }
+  }
+  std::vector<double> rates;
+  std::transform(this->Known.begin(), this->Known.end(), std::back_inserter(rates), rateOf);
+  const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
+  std::nth_element(rates.begin(), middle, rates.end());
+  return cost * *middle;
 }
 
 }

@@ -184,7 +184,8 @@ bool HangsOnFewPixels(const ErrorPercents& error, bool isSoft)
   ErrorPercents atBest = error;
   atBest.gross = hangsOnGross ? 0.0 : error.gross;
   atBest.penumbraDifference = hangsOnPenumbra ? 0.0 : error.penumbraDifference;
-  return error.isSampled && (hangsOnGross || hangsOnPenumbra) && IsWithin({}, atBest, isSoft, 1.0);
+  return error.isSampled && (hangsOnGross || hangsOnPenumbra) &&
+    IsWithin({}, atBest, isSoft, ErrorMargin);
 }
 
 std::string BudgetText(const ShadowBudget& budget)
@@ -196,8 +197,11 @@ std::string BudgetText(const ShadowBudget& budget)
 std::string ErrorText(const ErrorPercents& error, const ShadowBudget& budget, bool isSoft)
 {
   const bool isOfGross = !budget.maximumError && IsGross(error);
+  const bool isOfPenumbra = !budget.maximumError &&
+    error.penumbraDifference / MostPenumbraDifferencePercent >=
+      error.meanDifference / MostSoftDifferencePercent;
   return isOfGross ? NumberText(error.gross) + " % gross"
-    : isSoft && !budget.maximumError
+    : isSoft && isOfPenumbra
     ? NumberText(error.penumbraDifference) + " % mean difference in the penumbra"
     : isSoft ? NumberText(error.meanDifference) + " % mean difference"
              : NumberText(error.mismatch) + " % wrong";

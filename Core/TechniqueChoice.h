@@ -136,6 +136,9 @@ constexpr double MostMismatchPercent = 2.0;
 constexpr double MostSoftDifferencePercent = 1.0;
 constexpr double MostPenumbraDifferencePercent = 4.0;
 
+// Times what was measured that an error may be at once, to be held against a limit.
+constexpr double ErrorMargin = 1.05;
+
 // `margin`: times the error that was measured that it may have become, at least 1; not of penumbrae
 // by sample lights. What was measured on a sample of pixels has two standard deviations more.
 bool IsWithin(const ShadowBudget& budget, const ErrorPercents& error, bool isSoft, double margin);

@@ -198,7 +198,8 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
                             std::vector<std::optional<vtkshadows::ErrorPercents>>& errors,
                             double& drawingSeconds)
   {
-    const auto measure = [&](bool allPixels)
+    using Errors = std::vector<std::optional<vtkshadows::ErrorPercents>>;
+    const auto measure = [&](const std::vector<int>& ofThese, bool allPixels, Errors& found)
     {
       const bool allDrawn = this->Find(name)->IsSoftByPixels();
       const auto [view, isNew] = views.try_emplace({ allPixels, allDrawn });
@@ -207,23 +208,34 @@ void vtkShadowPass::Internals::ChooseTechniques(const vtkShadowFrame& frame,
         this->Reduce(view->second, frame,
           allPixels ? MostMeasuredPixels : this->PixelsToMeasure(lights), allDrawn);
       }
-      errors.clear();
-      return this->MeasureErrors(view->second, plan, name, measured, errors, drawingSeconds);
+      return this->MeasureErrors(view->second, plan, name, ofThese, found, drawingSeconds);
     };
-    const auto isUnclear = [&]()
+    errors.clear();
+    if (!measure(measured, false, errors))
     {
-      for (std::size_t i = 0; i < errors.size(); ++i)
-      {
-        const bool isSoft = this->Scene->GetLights()[measured[i]].Ray.radius > 0.0;
-        if (errors[i] && vtkshadows::HangsOnFewPixels(*errors[i], isSoft))
-        {
-          return true;
-        }
-      }
       return false;
-    };
-    const bool done = measure(false);
-    return done && !this->Chooser.GetBudget().maximumError && isUnclear() ? measure(true) : done;
+    }
+    std::vector<std::size_t> unclear;
+    std::vector<int> unclearLights;
+    for (std::size_t i = 0; !this->Chooser.GetBudget().maximumError && i < errors.size(); ++i)
+    {
+      const bool isSoft = this->Scene->GetLights()[measured[i]].Ray.radius > 0.0;
+      if (errors[i] && vtkshadows::HangsOnFewPixels(*errors[i], isSoft))
+      {
+        unclear.push_back(i);
+        unclearLights.push_back(measured[i]);
+      }
+    }
+    Errors again;
+    if (!unclear.empty() && !measure(unclearLights, true, again))
+    {
+      return false;
+    }
+    for (std::size_t k = 0; k < unclear.size(); ++k)
+    {
+      errors[unclear[k]] = again[k];
+    }
+    return true;
   };
   const std::vector<std::string> names = this->Chooser.Choose(request);
   for (auto& view : views)

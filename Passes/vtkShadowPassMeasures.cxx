@@ -99,7 +99,10 @@ bool vtkShadowPass::Internals::MeasureSoftError(
     settings.fine = std::max(vtkshadows::TruthSamples, this->SamplesOfTruth());
     settings.edgeDistance = vtkshadows::GrossDistance * view.Scale;
     const std::optional<double> maximumError = this->Chooser.GetBudget().maximumError;
-    settings.meanLimit = 0.01 * maximumError.value_or(vtkshadows::MostSoftDifferencePercent);
+    // The margin, by which a mean is held against its limit, covers what chance leaves of it.
+    const double mostMean = 0.01 * maximumError.value_or(vtkshadows::MostSoftDifferencePercent);
+    settings.meanLimit = mostMean / vtkshadows::ErrorMargin;
+    settings.meanTolerance = mostMean - settings.meanLimit;
     settings.penumbraLimit = maximumError ? 0.0 : 0.01 * vtkshadows::MostPenumbraDifferencePercent;
     const auto trace = [this, &view, light](int samples, double epsilonScale,
                          const std::vector<unsigned char>& which, std::vector<float>& visibility)

@@ -215,17 +215,9 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::SettingsToTry(const Reques
       settings.push_back(setting);
     }
   }
-  const auto cost = [&](const Setting& setting)
-  {
-    double sum = 0.0;
-    for (const ChosenLight& light : this->Chosen)
-    {
-      sum += this->CostOf(setting, light);
-    }
-    return sum;
-  };
   std::stable_sort(settings.begin(), settings.end(),
-    [&](const Setting& a, const Setting& b) { return cost(a) < cost(b); });
+    [this](const Setting& a, const Setting& b)
+    { return this->SumOfCosts(a) < this->SumOfCosts(b); });
   return settings;
 }
 
@@ -352,6 +344,7 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
     this->Moving.Restart();
     this->StaticTimes.Forget();
     this->MovingTimes.Forget();
+    this->Efforts.Forget();
     std::copy_n(counts, 3, this->TimedFor);
   }
   const std::vector<FrameWay> ways = this->WaysFor(request);

@@ -11,6 +11,7 @@
 #include "vtkShadowSceneNeeds.h"
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -113,6 +114,8 @@ private:
   };
   Prospect ProspectOf(const Setting& setting) const;
   bool IsServingAll(const Setting& setting) const;
+  double SumOfCosts(const Setting& setting) const;
+  std::vector<Setting>::iterator SoonestOf(std::vector<Setting>& settings) const;
   bool NeedsMeasure(const Setting& setting, const ChosenLight& light, bool isUrgent) const;
   bool IsInUse(const Setting& setting, const ChosenLight& light) const;
   bool IsHopeless(const Setting& setting, const ChosenLight& light) const;
@@ -121,6 +124,16 @@ private:
   static bool IsOnTheWay(
     const ChosenLight& light, const vtkShadowMeasuredErrors::Record& record, bool isInUse);
   void NoteRefusals();
+  // What was found of the settings of a frame so far.
+  struct Judgement
+  {
+    std::vector<Setting> Candidates; // that were judged
+    std::vector<Setting> Right;      // for all lights that they fit
+    std::vector<bool> Served;        // lights that one of them is right for
+    double Cheapest = std::numeric_limits<double>::infinity(); // expected, of what is right for all
+    bool IsServed() const;
+  };
+  void JudgeFor(const Request& request, const Setting& setting, Judgement& found);
   std::vector<Setting> JudgeSettings(const Request& request);
   std::vector<vtkshadows::FrameWay> WaysFor(const Request& request);
   double CostOf(const Setting& setting, const ChosenLight& light) const;
@@ -135,6 +148,7 @@ private:
   vtkShadowMeasuredErrors Errors;
   vtkshadows::FrameTrials Static, Moving;
   vtkshadows::DrawingTimes StaticTimes, MovingTimes;
+  vtkshadows::DrawingTimes Efforts; // of what was measured, with all that was made for it
   // What casters were when a technique with a filter was made for them.
   std::map<std::pair<std::string, std::string>, vtkMTimeType> Made;
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
+#include <numeric>
 
 namespace
 {
@@ -31,8 +31,7 @@ constexpr double MeasuringShare = 20.0;
 constexpr double MeasuringShareOfOthers = 100.0;
 // A setting expected to cost this many times the cheapest that is right is not measured.
 constexpr double NotPromising = 4.0;
-// Times what was measured that an error may be at once, and of what was drawn by and found wrong.
-constexpr double Margin = 1.05;
+// Instead of ErrorMargin, of what was drawn by and found wrong.
 constexpr double MarginOfRefused = 1.25;
 
 // Sample lights from which on one more or less hardly counts.
@@ -63,7 +62,8 @@ bool vtkShadowTechniqueChooser::IsInUse(const Setting& setting, const ChosenLigh
 double vtkShadowTechniqueChooser::MarginOf(const Setting& setting, const ChosenLight& light,
   const vtkShadowMeasuredErrors::Record& record, double drift) const
 {
-  return (record.WasRefused && !this->IsInUse(setting, light) ? MarginOfRefused : Margin) +
+  return (record.WasRefused && !this->IsInUse(setting, light) ? MarginOfRefused
+                                                              : vtkshadows::ErrorMargin) +
     record.Rate * drift;
 }
 
@@ -154,7 +154,9 @@ bool vtkShadowTechniqueChooser::MeasureFor(const Request& request, const Setting
   double drawing = 0.0;
   if (request.MeasureErrors(setting.technique, indices, errors, drawing))
   {
-    this->NoteDrawing(setting, drawing / static_cast<double>(indices.size()));
+    const double drawingOfOne = drawing / static_cast<double>(indices.size());
+    this->NoteDrawing(setting, drawingOfOne);
+    this->Efforts.Note(setting, drawingOfOne);
     const double cost = vtkShadowSeconds() - start;
     for (const ChosenLight& light : this->Chosen)
     {
@@ -314,72 +316,101 @@ vtkShadowTechniqueChooser::Prospect vtkShadowTechniqueChooser::ProspectOf(
   return prospect;
 }
 
+double vtkShadowTechniqueChooser::SumOfCosts(const Setting& setting) const
+{
+  return std::accumulate(this->Chosen.begin(), this->Chosen.end(), 0.0,
+    [&](double sum, const ChosenLight& light) { return sum + this->CostOf(setting, light); });
+}
+
+// The one that is measured in the least time, as far as those before it tell.
+std::vector<ShadowSetting>::iterator vtkShadowTechniqueChooser::SoonestOf(
+  std::vector<Setting>& settings) const
+{
+  const auto costOf = [this](const Setting& setting) { return this->SumOfCosts(setting); };
+  const auto effortOf = [&](const Setting& setting)
+  { return this->Efforts.About(setting, costOf).value_or(costOf(setting)); };
+  return std::min_element(settings.begin(), settings.end(),
+    [&](const Setting& a, const Setting& b) { return effortOf(a) < effortOf(b); });
+}
+
 //------------------------------------------------------------------------------
-// Verdicts on all that may be of use: what is in use at first; then, the cheapest first, what may
-// be faster than what is right already.
+bool vtkShadowTechniqueChooser::Judgement::IsServed() const
+{
+  return std::all_of(this->Served.begin(), this->Served.end(), [](bool is) { return is; });
+}
+
+void vtkShadowTechniqueChooser::JudgeFor(
+  const Request& request, const Setting& setting, Judgement& found)
+{
+  std::vector<Verdict>& verdicts = this->Verdicts[setting.Text()];
+  bool isRight = true, isRightForAll = true, anyFit = false;
+  for (std::size_t i = 0; i < this->Chosen.size(); ++i)
+  {
+    verdicts.push_back(this->Judge(request, setting, this->Chosen[i]));
+    const Verdict& verdict = verdicts.back();
+    const bool isFit = verdict.Standing.kind != Standing::Unfit;
+    found.Served[i] = found.Served[i] || verdict.IsRight;
+    isRight = isRight && (verdict.IsRight || !isFit);
+    isRightForAll = isRightForAll && verdict.IsRight;
+    anyFit = anyFit || isFit;
+  }
+  found.Candidates.push_back(setting);
+  if (isRight && anyFit)
+  {
+    found.Right.push_back(setting);
+  }
+  if (isRightForAll && anyFit)
+  {
+    found.Cheapest = std::min(found.Cheapest, this->SumOfCosts(setting));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Verdicts on all that may be of use: what is in use at first; then, until something serves each
+// light, what is measured the soonest; then, the cheapest first, what may be faster than what is
+// right already.
 std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Request& request)
 {
   const std::vector<ChosenLight>& lights = this->Chosen;
   const bool byAccuracy = this->Budget.IsOfTimeAlone();
-  std::vector<Setting> candidates, right;
-  std::vector<bool> served(lights.size(), false);
-  double cheapest = std::numeric_limits<double>::infinity();
+  Judgement found;
+  found.Served.assign(lights.size(), false);
   this->Verdicts.clear();
   this->MeasuresWait = false;
 
-  const auto judge = [&](const Setting& setting)
-  {
-    std::vector<Verdict>& verdicts = this->Verdicts[setting.Text()];
-    double cost = 0.0;
-    bool isRight = true, anyFit = false;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-    {
-      verdicts.push_back(this->Judge(request, setting, lights[i]));
-      const Verdict& verdict = verdicts.back();
-      const bool isFit = verdict.Standing.kind != Standing::Unfit;
-      served[i] = served[i] || verdict.IsRight;
-      isRight = isRight && (verdict.IsRight || !isFit);
-      anyFit = anyFit || isFit;
-      cost += this->CostOf(setting, lights[i]);
-    }
-    candidates.push_back(setting);
-    if (isRight && anyFit)
-    {
-      right.push_back(setting);
-      cheapest = std::all_of(verdicts.begin(), verdicts.end(),
-                   [](const Verdict& verdict) { return verdict.IsRight; })
-        ? std::min(cheapest, cost)
-        : cheapest;
-    }
-  };
-
-  const std::vector<Setting> settings = this->SettingsToTry(request);
-  for (const Setting& setting : settings)
+  std::vector<Setting> open;
+  for (const Setting& setting : this->SettingsToTry(request))
   {
     const auto isInUse = [&](const ChosenLight& light) { return this->IsInUse(setting, light); };
     if (std::any_of(lights.begin(), lights.end(), isInUse))
     {
       this->MeasureFor(request, setting, isInUse);
-      judge(setting);
+      this->JudgeFor(request, setting, found);
+    }
+    else
+    {
+      open.push_back(setting);
     }
   }
   bool hasMeasured = this->MeasuringSeconds > 0.0, waitsForTimes = false;
-  for (const Setting& setting : settings)
+  while (!open.empty())
   {
+    const bool isServed = found.IsServed();
+    const auto next = isServed ? open.begin() : this->SoonestOf(open);
+    const Setting setting = *next;
+    open.erase(next);
     const auto covers = [&](const Setting& known)
     { return vtkshadows::IsNoFaster(setting, known, this->IsMoving); };
     const Prospect prospect = this->ProspectOf(setting);
-    if (this->Verdicts.count(setting.Text()) > 0 ||
-      (!byAccuracy &&
-        (std::any_of(right.begin(), right.end(), covers) ||
-          (prospect.IsUnknown && prospect.Cost > NotPromising * cheapest))) ||
+    if ((!byAccuracy &&
+          (std::any_of(found.Right.begin(), found.Right.end(), covers) ||
+            (prospect.IsUnknown && prospect.Cost > NotPromising * found.Cheapest))) ||
       (prospect.IsUnknown && (prospect.IsHopeless || this->Trials().HasLost(prospect.AtLeast))))
     {
       continue;
     }
     // Once something serves, the others are measured one a frame: those of which nothing is known
     // in turn, the known ones once in a while.
-    const bool isServed = std::all_of(served.begin(), served.end(), [](bool is) { return is; });
     if (isServed && prospect.IsUnknown && prospect.AtLeast > 0.0 &&
       std::isinf(this->Trials().LeastSeconds()))
     {
@@ -398,9 +429,9 @@ std::vector<ShadowSetting> vtkShadowTechniqueChooser::JudgeSettings(const Reques
       this->MeasuresWait = true;
       continue;
     }
-    judge(setting);
+    this->JudgeFor(request, setting, found);
   }
   this->Trials().SetTimesOnlyWay(waitsForTimes);
   this->MeasuresWait = this->MeasuresWait || waitsForTimes;
-  return candidates;
+  return found.Candidates;
 }

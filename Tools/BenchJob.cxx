@@ -124,11 +124,7 @@ public:
   void EndRow(const BenchJournal::Json& row)
   {
     this->estimate.AddRow(row);
-    if (row.contains("seconds"))
-    {
-      this->rowsSeconds +=
-        row["seconds"].value("prepare", 0.0) + row["seconds"].value("timing", 0.0);
-    }
+    this->rowsSeconds += BenchEstimate::SecondsOf(row);
     const auto isIt = [&row](const BenchRun* run) { return run->Key() == row["key"]; };
     this->open.erase(std::remove_if(this->open.begin(), this->open.end(), isIt), this->open.end());
   }

@@ -18,8 +18,11 @@ namespace
 // For "auto" to notice what moves, and to make its choice.
 constexpr int FewestFramesOfChoice = 4;
 constexpr int MostFramesOfChoice = 200;
-// Frames in a row that it has stayed as it is: a measure may unsettle it.
+// Frames in a row that it has stayed as it is: a measure may unsettle it. Of slow ones fewer, once
+// they took so long.
 constexpr int FramesOfRest = 10;
+constexpr int FewestFramesOfRest = 2;
+constexpr double SecondsOfRest = 2.0;
 
 // Of one frame. The camera swings to and fro by degrees; lights circle by a share of the scene.
 constexpr double CameraStep = 0.4;
@@ -109,11 +112,20 @@ void SettleChoice(Stage& stage, const std::function<void()>& move)
 {
   stage.ShowShadows(true);
   int settled = 0;
-  for (int i = 0; i < MostFramesOfChoice && settled < FramesOfRest; ++i)
+  auto begin = std::chrono::steady_clock::now();
+  const auto hasRested = [&]()
+  {
+    const std::chrono::duration<double> rest = std::chrono::steady_clock::now() - begin;
+    return settled >= FramesOfRest ||
+      (settled >= FewestFramesOfRest && rest.count() > SecondsOfRest);
+  };
+  for (int i = 0; i < MostFramesOfChoice && !hasRested(); ++i)
   {
     move();
     stage.Window().Render();
-    settled = i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled() ? settled + 1 : 0;
+    const bool isSettled = i >= FewestFramesOfChoice && stage.Shadows()->GetChoiceIsSettled();
+    begin = isSettled ? begin : std::chrono::steady_clock::now();
+    settled = isSettled ? settled + 1 : 0;
   }
 }
 

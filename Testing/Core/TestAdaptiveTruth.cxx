@@ -102,10 +102,11 @@ TEST(AdaptiveTruth, DifferencesOfFewSamples)
 // Beside a limit chance would decide; far from it more rays tell nothing.
 TEST(AdaptiveTruth, MorePixelsBesideALimit)
 {
-  const auto finePixels = [](double mean, double penumbra, double& found)
+  const auto finePixels = [](double mean, double penumbra, double& found, double tolerance = 0.0)
   {
     AdaptiveTruth::Settings settings;
     settings.meanLimit = mean;
+    settings.meanTolerance = tolerance;
     settings.penumbraLimit = penumbra;
     settings.mostTimes = 4.0;
     Picture picture(1e9, settings);
@@ -125,7 +126,12 @@ TEST(AdaptiveTruth, MorePixelsBesideALimit)
   // Nine in ten of the penumbra's pixels are known then, but for its rims.
   EXPECT_NEAR(all, expected, 0.01 * expected);
   EXPECT_GT(std::abs(some - all), 1e-6);
-  EXPECT_GT(finePixels(expected * 59.0 / Width, 0.0, some), 1.5 * usual);
+  const double mean = expected * 59.0 / Width;
+  const double fine = finePixels(mean, 0.0, some);
+  EXPECT_GT(fine, 1.5 * usual);
+  // What the mean need not be known better than asks for no more of them.
+  EXPECT_EQ(finePixels(mean, 0.0, some, mean), usual);
+  EXPECT_EQ(finePixels(mean, 0.0, some, 1.0e-3 * mean), fine);
 }
 
 // Rims of a penumbra that eight rays do not see count as they do: ten times as many pixels as the

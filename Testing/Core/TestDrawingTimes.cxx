@@ -62,3 +62,38 @@ TEST(DrawingTimes, OfMapsByTheirTexels)
   times.Note(Map(2048, "sample-lights", 16), 0.6);
   EXPECT_NEAR(*times.AtLeast(Map(2048, "sample-lights", 64)), 2.4, 1.0e-9);
 }
+
+//------------------------------------------------------------------------------
+TEST(DrawingTimes, AboutByTheNearestOfItsKind)
+{
+  const auto costOf = [](const ShadowSetting& setting) { return 2.0 + setting.samples; };
+  DrawingTimes times;
+  EXPECT_FALSE(times.About(Sampled("ray-cast", 32), costOf));
+  times.Note(Sampled("ray-cast", 4), 0.6); // 0.1 for a unit of cost
+  // Of other kinds nothing else is known.
+  EXPECT_NEAR(*times.About(Sampled("stencil-volume", 8), costOf), 1.0, 1.0e-9);
+  EXPECT_NEAR(*times.About(Sampled("ray-cast", 30), costOf), 3.2, 1.0e-9);
+  times.Note(Sampled("ray-cast", 14), 3.2); // 0.2
+  EXPECT_NEAR(*times.About(Sampled("ray-cast", 30), costOf), 6.4, 1.0e-9);
+  EXPECT_NEAR(*times.About(Sampled("ray-cast", 5), costOf), 0.7, 1.0e-9);
+  times.Note(Sampled("stencil-volume", 4), 6.0); // 1
+  EXPECT_NEAR(*times.About(Sampled("stencil-volume", 8), costOf), 10.0, 1.0e-9);
+  EXPECT_NEAR(*times.About(Map(2048, "soft"), costOf), 0.4, 1.0e-9); // the middle one of three
+}
+
+//------------------------------------------------------------------------------
+TEST(DrawingTimes, AboutOfMapsByTheirTexels)
+{
+  const auto costOf = [](const ShadowSetting& setting)
+  { return 1.0 + setting.resolution / 1024.0; };
+  DrawingTimes times;
+  times.Note(Map(1024, "soft"), 0.02);
+  times.Note(Map(1024, "exact"), 0.2);
+  EXPECT_NEAR(*times.About(Map(2048, "soft"), costOf), 0.03, 1.0e-9);
+  EXPECT_NEAR(*times.About(Map(2048, "exact"), costOf), 0.3, 1.0e-9);
+  // One that has no texels is no kin of a map of the same technique.
+  ShadowSetting planar = Sampled("planar", 0), texture = planar;
+  texture.resolution = 1024;
+  times.Note(texture, 2.0);
+  EXPECT_NEAR(*times.About(planar, costOf), 0.1, 1.0e-9);
+}

@@ -159,6 +159,12 @@ TEST(TechniqueChoice, Budgets)
   blurred.penumbraDifference = 1.02 * vtkshadows::MostPenumbraDifferencePercent;
   blurred.meanDifference = 2.0 * vtkshadows::MostSoftDifferencePercent;
   EXPECT_FALSE(vtkshadows::HangsOnFewPixels(blurred, true)) << "refused whatever its penumbra is";
+  blurred.meanDifference = 0.97 * vtkshadows::MostSoftDifferencePercent;
+  EXPECT_FALSE(vtkshadows::HangsOnFewPixels(blurred, true)) << "refused by the margin of the mean";
+  // What is told of it is what it is refused by.
+  EXPECT_EQ(vtkshadows::ErrorText(blurred, {}, true), "4.1 % mean difference in the penumbra");
+  blurred.penumbraDifference = 0.8 * vtkshadows::MostPenumbraDifferencePercent;
+  EXPECT_EQ(vtkshadows::ErrorText(blurred, {}, true), "0.97 % mean difference");
   // Of thin things every pixel is near to an edge, and none is gross.
   vtkshadows::ErrorPercents thin;
   thin.mismatch = 2.0 * vtkshadows::MostMismatchPercent;

@@ -65,7 +65,7 @@ BenchEntrant::~BenchEntrant()
   this->Drop();
 }
 
-void BenchEntrant::Show(bool moving)
+void BenchEntrant::Show()
 {
   if (this->run.setting.IsPeer())
   {
@@ -76,14 +76,13 @@ void BenchEntrant::Show(bool moving)
     this->stage.UsePass(this->peer);
     return;
   }
-  auto& pass = this->passes[moving && this->run.setting.technique == "auto" ? 1 : 0];
-  const bool isNew = !pass;
+  const bool isNew = !this->pass;
   if (isNew)
   {
-    pass = this->stage.MakeShadows(this->run.setting.soft);
-    this->run.setting.apply(pass);
+    this->pass = this->stage.MakeShadows(this->run.setting.soft);
+    this->run.setting.apply(this->pass);
   }
-  this->stage.UseShadows(pass);
+  this->stage.UseShadows(this->pass);
   if (isNew)
   {
     this->stage.SettleCulling();
@@ -93,13 +92,10 @@ void BenchEntrant::Show(bool moving)
 void BenchEntrant::Drop()
 {
   vtkWindow* window = this->stage.Renderer()->GetVTKWindow();
-  for (auto& pass : this->passes)
+  if (this->pass)
   {
-    if (pass)
-    {
-      pass->ReleaseGraphicsResources(window);
-    }
-    pass = nullptr;
+    this->pass->ReleaseGraphicsResources(window);
+    this->pass = nullptr;
   }
   if (this->peer)
   {
@@ -117,15 +113,15 @@ std::int64_t BenchEntrant::Memory() const
     const std::int64_t side = this->run.setting.resolution;
     return side * side * BytesOfDepth * static_cast<std::int64_t>(this->stage.Lights().size());
   }
-  std::int64_t bytes = 0;
-  for (const auto& pass : this->passes)
+  if (!this->pass)
   {
-    bytes += pass ? pass->GetMergedCasterMemory() : 0;
-    for (const std::string& name : TechniqueNames())
-    {
-      vtkShadowTechniquePass* technique = pass ? pass->GetTechniquePass(name) : nullptr;
-      bytes += technique ? technique->GetTextureMemory() + technique->GetCasterMemory() : 0;
-    }
+    return 0;
+  }
+  std::int64_t bytes = this->pass->GetMergedCasterMemory();
+  for (const std::string& name : TechniqueNames())
+  {
+    vtkShadowTechniquePass* technique = this->pass->GetTechniquePass(name);
+    bytes += technique ? technique->GetTextureMemory() + technique->GetCasterMemory() : 0;
   }
   return bytes;
 }
@@ -174,7 +170,7 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   // The first frame of each kind looks its shaders up again, or draws what is kept for a light that
   // stands.
   TimingRound round;
-  this->Show(false);
+  this->Show();
   this->stage.ShowShadows(false);
   round.unshadowed = TimeFramesOf(this->stage, 1, frames, swing);
   this->stage.ShowShadows(true);
@@ -184,7 +180,6 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   }
   round.still = TimeFramesOf(this->stage, 1, frames, swing);
   motion.RestCamera();
-  this->Show(true);
   if (chooses)
   {
     settle(circle);
@@ -197,6 +192,10 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   motion.RestLights();
   this->rounds.Add(round);
   // What it took to settle is of the first visit alone.
+  if (this->rounds.Count() == 1)
+  {
+    this->settlingSeconds = settling;
+  }
   this->visitSeconds += clock.Seconds() - (this->rounds.Count() == 1 ? settling : 0.0);
 }
 

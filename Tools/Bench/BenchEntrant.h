@@ -9,7 +9,6 @@
 
 #include <vtkSmartPointer.h>
 
-#include <array>
 #include <cstdint>
 
 class vtkRenderPass;
@@ -35,13 +34,12 @@ public:
   // The peer, or nullptr where it is a setting of the shadow pass.
   vtkRenderPass* Peer() const { return this->peer; }
 
-  // Its pass on the stage, as it was left; made anew after Drop. "auto" chooses otherwise while
-  // lights move, and has a pass of its own for that: each keeps to its choice from visit to visit.
-  void Show(bool moving = false);
-  // Lets go of its passes; the next Show makes them anew, which takes a visit longer, but not its
+  // Its pass on the stage, as it was left; made anew after Drop.
+  void Show();
+  // Lets go of its pass; the next Show makes it anew, which takes a visit longer, but not its
   // times.
   void Drop();
-  // What its passes hold, bytes, as far as they tell.
+  // What its pass holds, bytes, as far as it tells.
   std::int64_t Memory() const;
 
   // A single frame of each kind after one that is not timed, for what is slow: what the first of
@@ -55,18 +53,21 @@ public:
 
   const TimingRounds& Rounds() const { return this->rounds; }
 
+  // Of all visits, but for what "auto" settled in, in the first of them.
   double VisitSeconds() const { return this->visitSeconds; }
+  double SettlingSeconds() const { return this->settlingSeconds; }
 
   BenchJson row;      // what is known of it so far
-  bool isKept = true; // whether its passes stay from visit to visit
+  bool isKept = true; // whether its pass stays from visit to visit
 
 private:
   Stage& stage;
   BenchRun run;
-  std::array<vtkSmartPointer<vtkShadowPass>, 2> passes; // the second of "auto" alone
+  vtkSmartPointer<vtkShadowPass> pass;
   vtkSmartPointer<vtkRenderPass> peer;
   TimingRounds rounds;
-  double visitSeconds = 0.0; // as WorkClock counts them, but for what the first settled in
+  double visitSeconds = 0.0; // as WorkClock counts them
+  double settlingSeconds = 0.0;
   bool isTimedOnce = false;
 };
 

@@ -13,12 +13,22 @@ void BenchEstimate::AddRow(const nlohmann::ordered_json& row)
   {
     return;
   }
-  const double seconds = row["seconds"].value("prepare", 0.0) + row["seconds"].value("timing", 0.0);
+  const double seconds = SecondsOf(row);
   for (Mean* mean : { &this->settings[row.value("setting", "")], &this->all })
   {
     mean->sum += seconds;
     ++mean->count;
   }
+}
+
+double BenchEstimate::SecondsOf(const nlohmann::ordered_json& row)
+{
+  double sum = 0.0;
+  for (const auto& seconds : row.value("seconds", nlohmann::ordered_json::object()))
+  {
+    sum += seconds.get<double>();
+  }
+  return sum;
 }
 
 void BenchEstimate::AddScene(double seconds)

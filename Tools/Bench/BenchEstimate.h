@@ -26,6 +26,9 @@ public:
   // Of rows that are still to be measured, on so many scenes; seconds. Below 0: not known.
   double Of(const std::vector<const BenchRun*>& runs, int scenes) const;
 
+  // What all of a row took, as it says itself; 0 where it does not.
+  static double SecondsOf(const nlohmann::ordered_json& row);
+
   // "about 12 min", or "" where the seconds are below 0.
   static std::string Say(double seconds);
 

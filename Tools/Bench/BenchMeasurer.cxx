@@ -233,6 +233,7 @@ void BenchMeasurer::Finish(BenchEntrant& entrant)
     PutTimings(row, entrant.Rounds().Medians());
   }
   row["seconds"]["timing"] = entrant.VisitSeconds();
+  row["seconds"]["settling"] = entrant.SettlingSeconds();
   this->listener.row(row);
   this->stage.UsePass(nullptr);
   entrant.Drop();
