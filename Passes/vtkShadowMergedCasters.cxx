@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace
@@ -43,13 +44,12 @@ bool IsPlainActor(const vtkShadowScene::Prop& prop)
 }
 
 // Whether a piece may have a place in the list, told without its triangles.
-bool IsFit(const vtkShadowScene::Piece& piece)
+bool IsFit(const vtkShadowScene::Piece& piece, const vtkShadowCasterGeometry::Survey& survey)
 {
   const auto* blocks = vtkShadowCasterGeometry::AttributesOf(piece.Mapper);
-  const vtkShadowCasterGeometry::Survey survey = vtkShadowCasterGeometry::SurveyOf(piece);
   return !(blocks && blocks->HasBlockOpacities()) && survey.NoSurface.empty() &&
     survey.NoFiniteSurface.empty() && !survey.HasSpheres &&
-    survey.Triangles <= vtkShadowMergedCasters::MostTriangles;
+    survey.Triangles <= vtkShadowMergedCasters::MostTrianglesOfLarge;
 }
 
 }
@@ -114,8 +114,24 @@ void vtkShadowMergedCasters::List::Append(const void* data, std::size_t bytes)
 }
 
 //------------------------------------------------------------------------------
+// What follows the last range goes on with it.
+void vtkShadowMergedCasters::Ranges::Add(std::size_t firstIndex, std::size_t indices)
+{
+  const bool goesOn = !this->Counts.empty() && this->End == firstIndex;
+  this->End = firstIndex + indices;
+  if (goesOn)
+  {
+    this->Counts.back() += static_cast<int>(indices);
+    return;
+  }
+  this->Counts.push_back(static_cast<int>(indices));
+  this->Offsets.push_back(reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t)));
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowMergedCasters::BeginFrame(const vtkShadowFrame& frame)
 {
+  ++this->FrameNumber;
   this->NumberDrawn = 0;
   this->Casters.BeginFrame(frame.Scene->GetProps());
   std::size_t listed = 0;
@@ -129,9 +145,11 @@ void vtkShadowMergedCasters::BeginFrame(const vtkShadowFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// That of a prop which can be drawn from the list, once it has been drawn by its mapper; else none.
+// That of a prop which is to be drawn from the list, once it has been drawn by its mapper; else
+// none. What is large is to be, once a view sees a small part of it, and if it was there in a frame
+// before: else a mesh that changes its shape would be clustered for each.
 vtkShadowMergedCasters::Caster* vtkShadowMergedCasters::ReadyCaster(
-  const vtkShadowScene::Prop& prop)
+  const vtkShadowScene::Prop& prop, const glm::dmat4& clipFromWorld)
 {
   if (!IsPlainActor(prop))
   {
@@ -142,20 +160,26 @@ vtkShadowMergedCasters::Caster* vtkShadowMergedCasters::ReadyCaster(
   if (caster.State == Caster::New)
   {
     caster.State = Caster::Drawn;
+    caster.DrawnFirst = this->FrameNumber;
     return nullptr;
   }
   if (caster.State == Caster::Drawn)
   {
-    caster.State = IsFit(piece) ? Caster::Fit : Caster::Unfit;
+    const vtkShadowCasterGeometry::Survey survey = vtkShadowCasterGeometry::SurveyOf(piece);
+    caster.State = IsFit(piece, survey) ? Caster::Fit : Caster::Unfit;
+    caster.IsLarge = survey.Triangles > MostTriangles;
   }
-  return caster.State == Caster::Unfit ? nullptr : &caster;
+  const bool waits = caster.State == Caster::Fit && caster.IsLarge &&
+    (caster.DrawnFirst == this->FrameNumber ||
+      vtkshadows::ShareWithin(clipFromWorld, piece.CornersWC) > MostShareSeen);
+  return caster.State == Caster::Unfit || waits ? nullptr : &caster;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMergedCasters::Enlist(const vtkShadowScene::Piece& piece, Caster& caster)
 {
   vtkShadowCasterMesh about;
-  const vtkShadowCasterGeometry geometry = about.Extract(piece);
+  vtkShadowCasterGeometry geometry = about.Extract(piece);
   const std::size_t texels = std::size_t(4) * (this->NumberOfMatrices + 1);
   if (!about.Skipped.empty() || texels > vtkShadowTextureBuffer::LargestSize())
   {
@@ -165,6 +189,9 @@ void vtkShadowMergedCasters::Enlist(const vtkShadowScene::Piece& piece, Caster& 
   caster.State = Caster::Listed;
   caster.ModelFromCaster = about.ModelFromCaster;
   caster.Matrix = this->NumberOfMatrices++;
+  caster.Clusters =
+    vtkshadows::ClusterTriangles(geometry.Vertices, geometry.Triangles, TrianglesOfCluster);
+  vtkshadows::OrderVertices(geometry.Vertices, geometry.Triangles);
   std::vector<Vertex> vertices;
   vertices.reserve(geometry.Vertices.size());
   for (const glm::vec3& position : geometry.Vertices)
@@ -192,29 +219,31 @@ std::vector<std::size_t> vtkShadowMergedCasters::Draw(const vtkShadowFrame& fram
   const std::vector<vtkShadowScene::Prop>& props = frame.Scene->GetProps();
   std::vector<std::size_t> others;
   std::vector<std::pair<std::size_t, Caster*>> merged;
-  if (casters.size() < FewestProps)
-  {
-    return casters;
-  }
+  const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
+  std::size_t numberOfSmall = 0;
   for (const std::size_t i : casters)
   {
-    if (Caster* caster = this->ReadyCaster(props[i]))
+    if (Caster* caster = this->ReadyCaster(props[i], clipFromWorld))
     {
       merged.emplace_back(i, caster);
+      numberOfSmall += caster->IsLarge ? 0 : 1;
     }
     else
     {
       others.push_back(i);
     }
   }
-  if (merged.size() < FewestProps)
+  if (numberOfSmall < FewestProps)
   {
-    return casters;
+    const auto small = std::stable_partition(
+      merged.begin(), merged.end(), [](const auto& entry) { return entry.second->IsLarge; });
+    std::transform(small, merged.end(), std::back_inserter(others),
+      [](const auto& entry) { return entry.first; });
+    merged.erase(small, merged.end());
   }
 
   this->Drawn = {};
   int drawn = 0;
-  const glm::dmat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
   for (const auto& [i, known] : merged)
   {
     const vtkShadowScene::Piece& piece = props[i].Pieces.front();
@@ -229,15 +258,20 @@ std::vector<std::size_t> vtkShadowMergedCasters::Draw(const vtkShadowFrame& fram
       continue;
     }
     this->Matrices.resize(std::size_t(16) * this->NumberOfMatrices);
-    const std::array<float, 16> matrix =
-      vtkShadowMatrix::ToFloats(clipFromWorld * (piece.WorldFromModel * caster.ModelFromCaster));
+    const glm::dmat4 clipFromCaster =
+      clipFromWorld * (piece.WorldFromModel * caster.ModelFromCaster);
+    const std::array<float, 16> matrix = vtkShadowMatrix::ToFloats(clipFromCaster);
     std::copy(
       matrix.begin(), matrix.end(), this->Matrices.begin() + std::size_t(16) * caster.Matrix);
     const auto hidden = culled.find(piece.Prop);
     Ranges& ranges = this->Drawn[hidden == culled.end() ? 0 : hidden->second == GL_FRONT ? 1 : 2];
-    ranges.Counts.push_back(static_cast<int>(caster.Indices));
-    ranges.Offsets.push_back(
-      reinterpret_cast<const void*>(caster.FirstIndex * sizeof(std::uint32_t)));
+    for (const vtkshadows::TriangleCluster& cluster : caster.Clusters)
+    {
+      if (!vtkshadows::LiesBeside(clipFromCaster, cluster.minimum, cluster.maximum))
+      {
+        ranges.Add(caster.FirstIndex + 3 * cluster.first, 3 * cluster.count);
+      }
+    }
     ++drawn;
   }
   if (drawn == 0)

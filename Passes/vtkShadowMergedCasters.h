@@ -1,5 +1,7 @@
-// Small casters drawn from a light in one go, from one list of their triangles. Each mapper's draw
-// has a cost of its own, whatever it draws, which hundreds of props pay for every map.
+// Small casters drawn from a light in one go, from one list of their triangles, and of large ones
+// what the view sees. Each mapper's draw has a cost of its own, whatever it draws, which hundreds
+// of props pay for every map; and draws all of its mesh, be it for a cascade that holds a
+// hundredth.
 //
 // The list holds the very floats that mappers hand to OpenGL, and a matrix a piece takes them to
 // the light's clip space, as a mapper's does: the picture is the one that mappers draw. It grows as
@@ -8,6 +10,7 @@
 #ifndef vtkShadowMergedCasters_h
 #define vtkShadowMergedCasters_h
 
+#include "TriangleClusters.h"
 #include "vtkShadowByPiece.h"
 #include "vtkShadowTextureBuffer.h"
 
@@ -28,10 +31,15 @@ struct vtkShadowFrame;
 class vtkShadowMergedCasters
 {
 public:
-  // Triangles of a prop that is drawn with others; of larger ones the draw itself counts.
+  // Triangles of a small prop, which is drawn with others; so few of them are left to their
+  // mappers.
   static constexpr double MostTriangles = 2.0e4;
-  // So few are left to their mappers.
   static constexpr std::size_t FewestProps = 4;
+  // A large one is drawn from the list once a view sees less than that share of its bounds.
+  static constexpr double MostTrianglesOfLarge = 2.0e6;
+  static constexpr double MostShareSeen = 0.5;
+  // Of each, clusters of so many triangles are left out that lie beside a view.
+  static constexpr std::size_t TrianglesOfCluster = 1024;
 
   vtkShadowMergedCasters() = default;
   ~vtkShadowMergedCasters();
@@ -66,13 +74,16 @@ private:
     enum
     {
       New,
-      Drawn, // once, by its mapper
+      Drawn, // by its mapper
       Fit,   // for the list, as far as is known without its triangles
       Listed,
       Unfit
     } State = New;
+    unsigned int DrawnFirst = 0; // the frame
+    bool IsLarge = false;
     std::uint32_t Matrix = 0;
     std::size_t FirstIndex = 0, Indices = 0;
+    std::vector<vtkshadows::TriangleCluster> Clusters;
     glm::dmat4 ModelFromCaster{ 1.0 };
   };
   // An OpenGL buffer that grows and keeps what it holds.
@@ -84,7 +95,7 @@ private:
     void Append(const void* data, std::size_t bytes);
   };
 
-  Caster* ReadyCaster(const vtkShadowScene::Prop& prop);
+  Caster* ReadyCaster(const vtkShadowScene::Prop& prop, const glm::dmat4& clipFromWorld);
   void Enlist(const vtkShadowScene::Piece& piece, Caster& caster);
   void DrawRanges(const vtkShadowFrame& frame, bool writesDepth);
 
@@ -93,12 +104,16 @@ private:
   List Vertices, Indices;
   std::uint32_t NumberOfMatrices = 0;
   int NumberDrawn = 0;
+  unsigned int FrameNumber = 0;
 
   // Of one draw.
   struct Ranges
   {
     std::vector<int> Counts;
     std::vector<const void*> Offsets;
+    std::size_t End = 0; // of the last: the index after it
+
+    void Add(std::size_t firstIndex, std::size_t indices);
   };
   std::vector<float> Matrices;
   vtkShadowTextureBuffer MatrixTexture;

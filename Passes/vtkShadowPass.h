@@ -180,10 +180,11 @@ public:
 
   ///@{
   /**
-   * How many casters were drawn together with others, from one list of their triangles, in the
+   * How many casters were drawn from one list of their triangles, and not by their mappers, in the
    * last frame; each is counted once a view of a light. Small actors are, from their second draw in
-   * the same shape on: a draw of its own costs more than their triangles do. And the list's bytes,
-   * which are no technique's own.
+   * the same shape on: a draw of its own costs more than their triangles do. So are large ones, up
+   * to two million triangles, once a view sees less than half of one: it draws what it sees. And
+   * the list's bytes, which are no technique's own.
    */
   int GetNumberOfMergedCasters() const;
   vtkIdType GetMergedCasterMemory() const;

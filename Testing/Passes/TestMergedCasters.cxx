@@ -269,6 +269,66 @@ TEST_F(MergedCasters, ShapesAndPropsThatChange)
   this->CheckFresh("one hidden", 34, ByDepthMap);
 }
 
+// A dome of 79 600 triangles, of which a narrow light sees a part.
+TEST_F(MergedCasters, APartOfALargeOne)
+{
+  for (const double* origin : { Here, FarAway })
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->RemoveAllLights();
+    this->Balls.clear();
+    this->Build(origin);
+    this->Renderer->RemoveActor(this->Floor);
+    for (int i = 0; i < 9; ++i)
+    {
+      this->Renderer->RemoveActor(this->Balls[i]);
+    }
+    vtkNew<vtkSphereSource> dome;
+    dome->SetCenter(this->At(0.0, 0.0, -6.0));
+    dome->SetRadius(6.0);
+    dome->SetThetaResolution(200);
+    dome->SetPhiResolution(200);
+    dome->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    AddActor(this->Renderer, dome);
+    this->AddBall({ 0.0, 0.0, 1.0 }, 0.6);
+    this->Light->SetFocalPoint(this->At(0.0, 0.0, 0.5));
+    this->Light->SetConeAngle(15.0);
+    this->CheckFresh("a narrow light", 1, ByDepthMap);
+    // Once it is in the list it stays there.
+    this->Light->SetConeAngle(60.0);
+    this->CheckFresh("a wide one", 1, ByDepthMap);
+    const double bytes = static_cast<double>(this->Shadows->GetMergedCasterMemory());
+    CheckAtLeast("bytes of the list", bytes, 79600 * 12.0);
+    this->Shadows->ReleaseGraphicsResources(this->Window);
+    this->CheckFresh("a wide one at once", 0, ByDepthMap);
+    Check("bytes", static_cast<double>(this->Shadows->GetMergedCasterMemory()), 0.0);
+    this->Renderer->SetPass(nullptr);
+  }
+}
+
+// A mesh that has another shape in each frame is left to its mapper.
+TEST_F(MergedCasters, ALargeOneThatChanges)
+{
+  this->Build(Here);
+  this->Renderer->RemoveAllViewProps();
+  vtkNew<vtkSphereSource> dome;
+  dome->SetCenter(0.0, 0.0, -6.0);
+  dome->SetThetaResolution(200);
+  dome->SetPhiResolution(200);
+  AddActor(this->Renderer, dome);
+  this->Light->SetConeAngle(15.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    dome->SetRadius(6.0 + 0.01 * i);
+    this->MoveLight();
+    this->Render();
+    Check("casters from the list", this->Shadows->GetNumberOfMergedCasters(), 0);
+  }
+  this->MoveLight();
+  this->Render();
+  Check("casters from the list once it stands", this->Shadows->GetNumberOfMergedCasters(), 1);
+}
+
 // So few are not worth a list.
 TEST_F(MergedCasters, Few)
 {

@@ -1,0 +1,43 @@
+// The triangles of a large mesh in clusters of those that lie near each other, so that a view that
+// sees a part of the mesh draws little more than that. Plain C++ and GLM: no VTK, no OpenGL.
+#ifndef vtkshadows_TriangleClusters_h
+#define vtkshadows_TriangleClusters_h
+
+#include "LightView.h" // for BoxCorners
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace vtkshadows
+{
+
+// Triangles first to first + count, all of them within the bounds.
+struct TriangleCluster
+{
+  std::size_t first = 0, count = 0;
+  glm::vec3 minimum{ 0.0f }, maximum{ 0.0f };
+};
+
+// Reorders `triangles`, indices into finite `vertices`, so that those of a cluster are in a row, at
+// most `most` of them, in the order that they had: by halves at the median centre along the longest
+// side (J. Bentley 1975). One after another the clusters are all triangles.
+std::vector<TriangleCluster> ClusterTriangles(
+  const std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& triangles, std::size_t most);
+
+// Reorders the vertices as the triangles use them, one after another, so that triangles in a row
+// have theirs in a row; what none uses is left out.
+void OrderVertices(std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& triangles);
+
+// Whether nothing of the bounds lies within the four sides of a view. It errs on the side of no, by
+// more than single precision rounds, so that what is left out is drawn by no pixel.
+bool LiesBeside(const glm::dmat4& clipFromMesh, const glm::vec3& minimum, const glm::vec3& maximum);
+
+// About what share of a box's volume lies within the four sides of a view, 0 to 1.
+double ShareWithin(const glm::dmat4& clipFromWorld, const BoxCorners& box);
+
+}
+
+#endif
