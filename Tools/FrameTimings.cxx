@@ -174,6 +174,11 @@ std::vector<StageTimings> TimeStages(Stage& stage, int frames)
     motion.SwingCamera();
     SampleFrame(stage, still, names);
     motion.CircleLights();
+    if (i == 0)
+    {
+      stage.Window().Render(); // some things are made once a caster is drawn again
+      motion.CircleLights();
+    }
     SampleFrame(stage, moving, names);
   }
   stage.Shadows()->SetTimeStages(false);

@@ -35,7 +35,7 @@ namespace
 constexpr std::int64_t MostMemoryKept = std::int64_t(1) << 30;
 
 // Of the time of a setting: where a frame takes more of it, its stages are those of a single one.
-constexpr double StagesShare = 0.1;
+constexpr double StagesShare = 0.03;
 
 std::string NameOf(LightKind kind)
 {
