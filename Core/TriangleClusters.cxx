@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,8 @@ namespace vtkshadows
 namespace
 {
 
-// Beside the largest term of a plane's equation: many times what single precision rounds there.
+// Of the terms that clip coordinates are summed from: many times what single precision rounds
+// there.
 constexpr double Rounding = 1.0e-5;
 
 constexpr int StepsOfShare = 8; // along each axis
@@ -132,17 +134,22 @@ bool LiesBeside(const glm::dmat4& clipFromMesh, const glm::vec3& minimum, const 
 {
   const glm::dvec3 low(minimum), high(maximum);
   const glm::dvec3 largest = glm::max(glm::abs(low), glm::abs(high));
+  const auto termsOf = [&](int row)
+  { return glm::dot(glm::abs(glm::row(clipFromMesh, row)), glm::dvec4(largest, 1.0)); };
+  const double terms[2] = { termsOf(0) + termsOf(3), termsOf(1) + termsOf(3) };
   const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromMesh);
-  return std::any_of(planes.begin(), planes.begin() + SidePlanes,
-    [&](const glm::dvec4& plane)
+  for (std::size_t i = 0; i < SidePlanes; ++i)
+  {
+    const glm::dvec4& plane = planes[i];
+    // The corner farthest within.
+    const glm::dvec4 corner(plane.x > 0.0 ? high.x : low.x, plane.y > 0.0 ? high.y : low.y,
+      plane.z > 0.0 ? high.z : low.z, 1.0);
+    if (glm::dot(plane, corner) < -Rounding * terms[i / 2])
     {
-      const glm::dvec3 normal(plane), size = glm::abs(normal);
-      // The corner farthest within.
-      const glm::dvec3 corner(normal.x > 0.0 ? high.x : low.x, normal.y > 0.0 ? high.y : low.y,
-        normal.z > 0.0 ? high.z : low.z);
-      const double rounded = Rounding * (glm::dot(size, largest) + std::abs(plane.w));
-      return glm::dot(normal, corner) + plane.w < -rounded;
-    });
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -190,6 +190,13 @@ TEST(TriangleClusters, ASideErrsOnTheSideOfDrawing)
   EXPECT_FALSE(LiesBeside(clip, { 1.0f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
   EXPECT_FALSE(LiesBeside(clip, { 1.000001f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
   EXPECT_TRUE(LiesBeside(clip, { 1.001f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
+  // Seen from far away the sums have larger terms: single precision moves by 0.06 what lies 1e6
+  // from the eye.
+  glm::dmat4 far(1.0);
+  far[2] = glm::dvec4(0.0, 0.0, -1.0, -1.0);
+  far[3] = glm::dvec4(1.0e6, 0.0, 1.0e6, 1.0e6);
+  EXPECT_FALSE(LiesBeside(far, { 0.5f, -0.1f, -0.1f }, { 0.6f, 0.1f, 0.1f }));
+  EXPECT_TRUE(LiesBeside(far, { 100.0f, -0.1f, -0.1f }, { 101.0f, 0.1f, 0.1f }));
   // Behind an eye nothing is seen, but what reaches to before it.
   glm::dmat4 eye(0.0);
   eye[0][0] = eye[1][1] = 1.0;
