@@ -297,11 +297,11 @@ vtkShadowTechniqueChooser::Prospect vtkShadowTechniqueChooser::ProspectOf(
   const Setting& setting) const
 {
   Prospect prospect;
+  prospect.Cost = this->SumOfCosts(setting);
   int fits = 0;
   for (const ChosenLight& light : this->Chosen)
   {
     const Standing::Kind kind = vtkshadows::StandingOf(setting, this->Scene, light.Needs).kind;
-    prospect.Cost += this->CostOf(setting, light);
     fits += kind != Standing::Unfit ? 1 : 0;
     if (kind == Standing::Measured && !this->Errors.Find(setting, light.Now))
     {
