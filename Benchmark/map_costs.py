@@ -92,7 +92,7 @@ def terrain_scenes(options):
 
 
 def room_scenes(options):
-    """Six maps of a lamp in a closed room over one of a spot; and a lamp amid things over one outside."""
+    """Six maps of a lamp in a closed room over one of a spot, of as many texels each."""
     renderer = vtkRenderer()
     walls = vtkCubeSource()
     walls.SetBounds(-3, 3, -3, 3, 0, 4)
@@ -106,11 +106,13 @@ def room_scenes(options):
         renderer.AddActor(mesh_actor(ball, (0.8, 0.5, 0.3)))
     place_camera(renderer, (0, -2.8, 1.5), (0, 3, 1.5), 80)
     renderer.AddLight(lamp((0.2, 0.3, 2.1)))
-    ways = {
-        "one map": Way(light=spot_light((0.2, 0.3, 3.6), (0.2, 0.3, 0), 78)),
-        "cube": Way(light=lamp((0.2, 0.3, 2.1))),
-    }
-    yield Scene("closed room", renderer, around(renderer), ways)
+    for texels in (1024, 2048):
+        size = {"resolution": texels}
+        ways = {
+            "one map": Way(settings=size, light=spot_light((0.2, 0.3, 3.6), (0.2, 0.3, 0), 78)),
+            "cube": Way(settings=size, light=lamp((0.2, 0.3, 2.1))),
+        }
+        yield Scene(f"closed room, {texels} texels", renderer, around(renderer), ways)
 
 
 def lights_scenes(options):

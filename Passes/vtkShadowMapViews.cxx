@@ -46,6 +46,16 @@ Row ParametersOf(const LightView& view, const glm::dmat4& viewFromWorld, int lay
     static_cast<float>(0.5 * side * view.clipFromView[0][0]) };
 }
 
+// Cells of the grain by which cascades blend, to a unit of length: about one a pixel where the
+// first cascade ends, in a window of a thousand pixels; a power of two, which seldom changes while
+// the eye moves. Not so many that floats have no digits left for what lies within one.
+double CellsOfGrain(double reach, const vtkshadows::CascadeEye& eye, double unit)
+{
+  const double pixel = 2.0e-3 / eye.clipFromView[1][1];
+  const double cells = std::min(1.0 / (pixel * reach), std::ldexp(1.0, 21) / unit);
+  return cells > 0.0 && std::isfinite(cells) ? std::ldexp(1.0, std::ilogb(cells)) : 0.0;
+}
+
 // Texels of a side that is `share` of the longest; never none.
 int TexelsOf(int resolution, double share)
 {
@@ -270,7 +280,9 @@ int vtkShadowMapViews::LayerBefore(std::size_t slot, const vtkShadowMapView& lik
 
 //------------------------------------------------------------------------------
 // A receiver goes into the light's axes with the eye as the origin, in which distances are what
-// cascades are chosen by, and from there into a map by a factor and an offset an axis.
+// cascades are chosen by, and from there into a map by a factor and an offset an axis. The eye is
+// moved to a corner of the grain's cells, less than a pixel away, so that the grain stays where it
+// is in the world while the eye walks.
 vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
   const vtkShadowMapSlot& slot, const glm::dmat4& viewFromWorld, double riseTexels, double farthest)
 {
@@ -297,12 +309,20 @@ vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
     unit = std::isfinite(cascade.reach) ? std::max(unit, cascade.reach) : unit;
   }
   const glm::dmat4 worldFromView = glm::inverse(viewFromWorld);
+  const double cells = light.cascades.size() > 1
+    ? CellsOfGrain(light.cascades.front().reach, this->FittedTo.Eye, unit)
+    : 0.0;
+  this->CascadeReaches.back().back() = static_cast<float>(cells * unit);
+  glm::dvec3 eye = light.lightFromWorld * light.eyeWC;
+  eye = cells > 0.0 ? glm::round(eye * cells) / cells : eye;
+  const glm::dvec3 eyeWC = glm::transpose(light.lightFromWorld) * eye;
+  const double moved = glm::distance(eyeWC, light.eyeWC);
   const double betweenEyes =
     glm::distance(light.eyeWC, glm::dvec3(worldFromView[3]) / worldFromView[3].w);
   const double viewPerWorld = glm::length(glm::dvec3(viewFromWorld[0]));
   for (std::size_t i = 0; i + 1 < light.cascades.size(); ++i)
   {
-    const double reach = light.cascades[i].reach / unit;
+    const double reach = std::max(light.cascades[i].reach - moved, 0.0) / unit;
     this->CascadeReaches[firstReach + i / 4][i % 4] = static_cast<float>(reach * reach);
   }
   for (const vtkShadowMapView& placed : slot.Views)
@@ -315,7 +335,7 @@ vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
     const double slack = 2.0 *
       DepthSlack(map * (view.viewFromWorld * worldFromView), view, width, riseTexels,
         std::min(reach, farthest));
-    const glm::dvec4 origin = map * (view.viewFromWorld * glm::dvec4(light.eyeWC, 1.0));
+    const glm::dvec4 origin = map * (view.viewFromWorld * glm::dvec4(eyeWC, 1.0));
     const std::size_t row = first + 2 * placed.Cascade;
     this->CascadeRows[row] = { static_cast<float>(origin.x), static_cast<float>(origin.y),
       static_cast<float>(origin.z - slack), static_cast<float>(placed.Layer) };
@@ -325,7 +345,7 @@ vtkShadowMapViews::ShaderMatrix vtkShadowMapViews::AddCascades(
     }
   }
   glm::dmat4 fromWorld(light.lightFromWorld);
-  fromWorld[3] = glm::dvec4(-(light.lightFromWorld * light.eyeWC), 1.0);
+  fromWorld[3] = glm::dvec4(-eye, 1.0);
   glm::dmat4 axes = fromWorld * worldFromView / unit;
   axes[3][3] = 0.0; // a direction, and not lit everywhere
   return vtkShadowMatrix::ToFloats(axes);

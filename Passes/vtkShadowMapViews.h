@@ -144,7 +144,7 @@ public:
   // Six a cube.
   const std::vector<Row>& Faces() const { return this->CubeFaces; }
   // Two a cascade, as many for each cascaded light as there may be; and of reaches, one or two a
-  // light.
+  // light, with how fine the grain is: see vtkMapShadowPassLookup.glsl.
   const std::vector<Row>& Cascades() const { return this->CascadeRows; }
   const std::vector<Row>& Reaches() const { return this->CascadeReaches; }
   std::size_t ReachesPerLight() const { return this->FittedTo.Cascades.count > 4 ? 2 : 1; }

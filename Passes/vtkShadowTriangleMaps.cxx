@@ -429,7 +429,12 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
   int depthLayer, std::size_t slot, const vtkShadowMapView& view, int width, int height)
 {
   vtkShadowDrawScope target(frame.Window, depths, depthLayer, &this->Numbers, view.Layer);
-  target.ClearColour(nullptr);
+  // A number is asked for where something was drawn. Where that was not from here, it must be 0;
+  // else what an earlier map left there is nowhere looked up.
+  if (!this->PlainCasters(view).empty())
+  {
+    target.ClearColour(nullptr);
+  }
   target.Confine(width, height, 1);
   const Part& part = this->Parts[slot];
   std::vector<GLint> firsts;

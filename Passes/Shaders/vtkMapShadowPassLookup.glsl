@@ -107,7 +107,22 @@ const int shadowMapFirstCascade = 6 * SHADOW_MAP_CUBES;
 const int shadowMapFirstCascade = 0;
 #endif
 // And ahead of this text stands vec4 shadowMapReaches[], for each light one, or two if it has more than four
-// cascades: squares of the reaches of its cascades, but the last's; infinite, as floats go, where there is none.
+// cascades: squares of the reaches of its cascades, but the last's; infinite, as floats go, where there is none; and as
+// the last number of all the cells of the grain to a unit of length.
+
+int shadowMapBeyond(float square, vec3 ends)
+{
+  return int(square >= ends.x) + int(square >= ends.y) + int(square >= ends.z);
+}
+
+// 0 to less than 1, as if by chance. cells: of the grain, to a unit of length; the origin is a corner of one, and they
+// are fixed in the world. By gl_FragCoord, as shadowMapNoise is, it would cost a software rasteriser a twentieth of the
+// frame.
+float shadowMapGrain(vec2 p, float cells)
+{
+  vec2 cell = fract(p * cells);
+  return fract((cell.x + 1.7) * (cell.y + 2.3) * 7.3);
+}
 
 // q: in the light's axes, as seen from the eye: its length is the distance that a cascade is chosen by. slope: of
 // the receiver's plane there. Where a cascade ends, over SHADOW_MAP_CASCADE_BLEND of its reach, it blends into
@@ -115,22 +130,24 @@ const int shadowMapFirstCascade = 0;
 float shadowMapCascades(int light, vec4 q, vec2 slope)
 {
   float square = dot(q.xyz, q.xyz);
+#if SHADOW_MAP_CASCADES > 4
+  vec4 reaches = shadowMapReaches[2 * light + 1];
+#else
+  vec4 reaches = shadowMapReaches[light];
+#endif
 #ifdef SHADOW_MAP_CASCADE_BLEND
   // The share of pixels that are looked up in the next one is linear in the square of the distance.
   const float start = (1.0 - SHADOW_MAP_CASCADE_BLEND) * (1.0 - SHADOW_MAP_CASCADE_BLEND);
-  float end = 1.0 - shadowMapNoise() * (1.0 - start);
+  float end = 1.0 - shadowMapGrain(q.xy, reaches.w) * (1.0 - start);
 #else
   const float end = 1.0;
 #endif
+  int beyond = shadowMapBeyond(square, end * reaches.xyz);
 #if SHADOW_MAP_CASCADES > 4
-  vec3 isBeyond = step(end * shadowMapReaches[2 * light + 1].xyz, vec3(square));
-  float beyond = isBeyond.x + isBeyond.y + isBeyond.z +
-    dot(step(end * shadowMapReaches[2 * light], vec4(square)), vec4(1.0));
-#else
-  vec3 isBeyond = step(end * shadowMapReaches[light].xyz, vec3(square));
-  float beyond = isBeyond.x + isBeyond.y + isBeyond.z;
+  vec4 first = end * shadowMapReaches[2 * light];
+  beyond += shadowMapBeyond(square, first.xyz) + int(square >= first.w);
 #endif
-  int row = shadowMapFirstCascade + 2 * (SHADOW_MAP_CASCADES * light + int(beyond + 0.5));
+  int row = shadowMapFirstCascade + 2 * (SHADOW_MAP_CASCADES * light + beyond);
   vec4 offset = texelFetch(shadowMapRows, row);
   vec3 scale = texelFetch(shadowMapRows, row + 1).xyz;
   float visibility =

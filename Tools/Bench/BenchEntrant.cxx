@@ -26,6 +26,9 @@ constexpr int FewestVisits = 5;
 constexpr int MostVisits = 15;
 constexpr int MostFramesOfKind = 5;
 constexpr int FramesOfChoice = 3; // of "auto", at least: it has few visits where it settles slowly
+// Without shadows, at least: what is slow has a single visit, in which one disturbed frame would
+// make the ratio.
+constexpr int FramesUnshadowed = 3;
 
 // Shares of the time of a setting: what a visit shall take, about, and how much longer than that
 // time the fewest visits may.
@@ -136,7 +139,8 @@ void BenchEntrant::TimeOnce(double still)
   round.moving = RenderMilliseconds(this->stage);
   motion.RestLights();
   this->stage.ShowShadows(false);
-  round.unshadowed = TimeFramesOf(this->stage, 1, 1, [&motion]() { motion.SwingCamera(); });
+  round.unshadowed =
+    TimeFramesOf(this->stage, 1, FramesUnshadowed, [&motion]() { motion.SwingCamera(); });
   this->rounds.Add(round);
   this->isTimedOnce = true;
 }
@@ -172,7 +176,7 @@ void BenchEntrant::Visit(const TimingPlan& plan)
   TimingRound round;
   this->Show();
   this->stage.ShowShadows(false);
-  round.unshadowed = TimeFramesOf(this->stage, 1, frames, swing);
+  round.unshadowed = TimeFramesOf(this->stage, 1, std::max(frames, FramesUnshadowed), swing);
   this->stage.ShowShadows(true);
   if (chooses)
   {
