@@ -2,6 +2,8 @@
 
 #include "Parallel.h"
 
+#include <algorithm>
+
 namespace vtkshadows
 {
 namespace
@@ -36,7 +38,7 @@ std::vector<TriangleNeighbours> FindNeighbours(
 
 LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
   const std::vector<TriangleNeighbours>& neighbours, const glm::dmat4& lightFromMesh,
-  const glm::dvec4& light, bool mirrored)
+  const glm::dvec4& light, bool mirrored, const std::vector<std::uint32_t>& order)
   : Mesh(mesh)
   , Neighbours(neighbours)
   , LightFromMesh(lightFromMesh)
@@ -44,6 +46,7 @@ LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
 {
   FaceTriangles(mesh, light, CastingFaces::Closed, this->Signs);
   const std::size_t count = mesh.triangles.size();
+  const auto at = [&order](std::size_t i) { return order.empty() ? i : order[i]; };
   this->Places.resize(count, NoTriangle);
   std::vector<std::size_t> starts(NumberOfBlocks(count) + 1, 0);
   ForEachBlock(count,
@@ -51,7 +54,7 @@ LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        starts[block + 1] += this->Signs[i] != 0 ? 1 : 0;
+        starts[block + 1] += this->Signs[at(i)] != 0 ? 1 : 0;
       }
     });
   for (std::size_t block = 1; block < starts.size(); ++block)
@@ -65,12 +68,20 @@ LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
       auto place = static_cast<std::uint32_t>(starts[block]);
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (this->Signs[i] != 0)
+        if (this->Signs[at(i)] != 0)
         {
-          this->Places[i] = place++;
+          this->Places[at(i)] = place++;
         }
       }
     });
+}
+
+std::size_t LightTriangles::CountOf(
+  const std::vector<std::uint32_t>& order, std::size_t first, std::size_t count) const
+{
+  const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
+  return static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(count),
+    [this](std::uint32_t triangle) { return this->Signs[triangle] != 0; }));
 }
 
 void LightTriangles::Write(LightCorner* corners, std::uint32_t first) const

@@ -49,10 +49,15 @@ public:
   // The light is homogeneous, in the mesh's own coordinates. lightFromMesh: to the light's
   // space, projective if need be (every point then has w > 0); `mirrored`: what is
   // counter-clockwise in the mesh is clockwise in the world.
+  // `order`: indices of all triangles, as they are to be listed; empty: as they are in the mesh.
   LightTriangles(const ShadowMesh<float>& mesh, const std::vector<TriangleNeighbours>& neighbours,
-    const glm::dmat4& lightFromMesh, const glm::dvec4& light, bool mirrored);
+    const glm::dmat4& lightFromMesh, const glm::dvec4& light, bool mirrored,
+    const std::vector<std::uint32_t>& order = {});
 
   std::size_t Count() const { return this->NumberListed; }
+  // Of `count` triangles of the order, from the one at `first` on.
+  std::size_t CountOf(
+    const std::vector<std::uint32_t>& order, std::size_t first, std::size_t count) const;
 
   // Three corners for each; the first triangle's number is `first`, and the others follow. Room for
   // 3 * Count().

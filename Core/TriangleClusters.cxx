@@ -60,11 +60,8 @@ int LongestAxis(const std::vector<Centred>& triangles, std::size_t first, std::s
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
 
-}
-
-//------------------------------------------------------------------------------
-std::vector<TriangleCluster> ClusterTriangles(
-  const std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& triangles, std::size_t most)
+std::vector<Centred> CentresOf(
+  const std::vector<glm::vec3>& vertices, const std::vector<glm::uvec3>& triangles)
 {
   std::vector<Centred> centred;
   centred.reserve(triangles.size());
@@ -72,6 +69,13 @@ std::vector<TriangleCluster> ClusterTriangles(
   {
     centred.push_back({ vertices[t.x] + vertices[t.y] + vertices[t.z], t, centred.size() });
   }
+  return centred;
+}
+
+// Brings them into the order of the clusters.
+std::vector<TriangleCluster> Cluster(
+  const std::vector<glm::vec3>& vertices, std::vector<Centred>& centred, std::size_t most)
+{
   std::vector<TriangleCluster> clusters;
   struct Range
   {
@@ -101,8 +105,30 @@ std::vector<TriangleCluster> ClusterTriangles(
     open.push_back({ range.first + half, range.count - half });
     open.push_back({ range.first, half }); // the next, so that clusters follow each other
   }
+  return clusters;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::vector<TriangleCluster> ClusterTriangles(
+  const std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& triangles, std::size_t most)
+{
+  std::vector<Centred> centred = CentresOf(vertices, triangles);
+  std::vector<TriangleCluster> clusters = Cluster(vertices, centred, most);
   std::transform(centred.begin(), centred.end(), triangles.begin(),
     [](const Centred& entry) { return entry.triangle; });
+  return clusters;
+}
+
+std::vector<TriangleCluster> ClusterTriangles(const std::vector<glm::vec3>& vertices,
+  const std::vector<glm::uvec3>& triangles, std::size_t most, std::vector<std::uint32_t>& order)
+{
+  std::vector<Centred> centred = CentresOf(vertices, triangles);
+  std::vector<TriangleCluster> clusters = Cluster(vertices, centred, most);
+  order.resize(centred.size());
+  std::transform(centred.begin(), centred.end(), order.begin(),
+    [](const Centred& entry) { return static_cast<std::uint32_t>(entry.place); });
   return clusters;
 }
 

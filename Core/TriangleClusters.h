@@ -9,10 +9,17 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace vtkshadows
 {
+
+// Of what is drawn from a list a mesh of more triangles is in clusters of so many, once a view sees
+// less than that share of its bounds.
+constexpr double MostTrianglesInOne = 2.0e4;
+constexpr double MostShareSeen = 0.5;
+constexpr std::size_t TrianglesOfCluster = 1024;
 
 // Triangles first to first + count, all of them within the bounds.
 struct TriangleCluster
@@ -26,6 +33,10 @@ struct TriangleCluster
 // side (J. Bentley 1975). One after another the clusters are all triangles.
 std::vector<TriangleCluster> ClusterTriangles(
   const std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& triangles, std::size_t most);
+
+// The same without a change of the triangles: `order` are their indices in that order.
+std::vector<TriangleCluster> ClusterTriangles(const std::vector<glm::vec3>& vertices,
+  const std::vector<glm::uvec3>& triangles, std::size_t most, std::vector<std::uint32_t>& order);
 
 // Reorders the vertices as the triangles use them, one after another, so that triangles in a row
 // have theirs in a row; what none uses is left out.

@@ -167,11 +167,11 @@ vtkShadowMergedCasters::Caster* vtkShadowMergedCasters::ReadyCaster(
   {
     const vtkShadowCasterGeometry::Survey survey = vtkShadowCasterGeometry::SurveyOf(piece);
     caster.State = IsFit(piece, survey) ? Caster::Fit : Caster::Unfit;
-    caster.IsLarge = survey.Triangles > MostTriangles;
+    caster.IsLarge = survey.Triangles > vtkshadows::MostTrianglesInOne;
   }
   const bool waits = caster.State == Caster::Fit && caster.IsLarge &&
     (caster.DrawnFirst == this->FrameNumber ||
-      vtkshadows::ShareWithin(clipFromWorld, piece.CornersWC) > MostShareSeen);
+      vtkshadows::ShareWithin(clipFromWorld, piece.CornersWC) > vtkshadows::MostShareSeen);
   return caster.State == Caster::Unfit || waits ? nullptr : &caster;
 }
 
@@ -189,8 +189,8 @@ void vtkShadowMergedCasters::Enlist(const vtkShadowScene::Piece& piece, Caster& 
   caster.State = Caster::Listed;
   caster.ModelFromCaster = about.ModelFromCaster;
   caster.Matrix = this->NumberOfMatrices++;
-  caster.Clusters =
-    vtkshadows::ClusterTriangles(geometry.Vertices, geometry.Triangles, TrianglesOfCluster);
+  caster.Clusters = vtkshadows::ClusterTriangles(
+    geometry.Vertices, geometry.Triangles, vtkshadows::TrianglesOfCluster);
   vtkshadows::OrderVertices(geometry.Vertices, geometry.Triangles);
   std::vector<Vertex> vertices;
   vertices.reserve(geometry.Vertices.size());

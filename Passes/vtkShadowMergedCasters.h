@@ -31,15 +31,12 @@ struct vtkShadowFrame;
 class vtkShadowMergedCasters
 {
 public:
-  // Triangles of a small prop, which is drawn with others; so few of them are left to their
-  // mappers.
-  static constexpr double MostTriangles = 2.0e4;
+  // Small props, of at most vtkshadows::MostTrianglesInOne, are drawn with others; so few of them
+  // are left to their mappers.
   static constexpr std::size_t FewestProps = 4;
-  // A large one is drawn from the list once a view sees less than that share of its bounds.
+  // A large one is drawn from the list once a view sees less than vtkshadows::MostShareSeen of its
+  // bounds. Of each, clusters are left out that lie beside a view.
   static constexpr double MostTrianglesOfLarge = 2.0e6;
-  static constexpr double MostShareSeen = 0.5;
-  // Of each, clusters of so many triangles are left out that lie beside a view.
-  static constexpr std::size_t TrianglesOfCluster = 1024;
 
   vtkShadowMergedCasters() = default;
   ~vtkShadowMergedCasters();

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 using vtkshadows::LightCorner;
 using vtkshadows::LightTriangles;
@@ -127,6 +128,28 @@ vtkShadowTriangleMaps::Caster& vtkShadowTriangleMaps::CasterOf(const vtkShadowSc
       }
       return caster;
     });
+}
+
+//------------------------------------------------------------------------------
+// Whole meshes are drawn as they are.
+void vtkShadowTriangleMaps::ClusterIfSeenInParts(
+  const vtkShadowMapSlot& slot, const vtkShadowScene::Piece& piece, Caster& caster)
+{
+  const vtkshadows::ShadowMesh<float>& mesh = caster.Mesh;
+  const bool isSeenInParts = caster.Clusters.empty() &&
+    static_cast<double>(mesh.triangles.size()) > vtkshadows::MostTrianglesInOne &&
+    std::any_of(slot.Views.begin(), slot.Views.end(),
+      [&piece](const vtkShadowMapView& placed)
+      {
+        const LightView& view = placed.View;
+        return vtkshadows::ShareWithin(view.clipFromView * view.viewFromWorld, piece.CornersWC) <=
+          vtkshadows::MostShareSeen;
+      });
+  if (isSeenInParts)
+  {
+    caster.Clusters = vtkshadows::ClusterTriangles(
+      mesh.points, mesh.triangles, vtkshadows::TrianglesOfCluster, caster.Order);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -342,25 +365,31 @@ void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkSha
   std::size_t written = 0;
   for (const std::size_t prop : part.Props)
   {
-    Range range;
-    range.Prop = prop;
-    range.First = static_cast<int>(part.First + written);
     for (const vtkShadowScene::Piece& piece : frame.Scene->GetProps()[prop].Pieces)
     {
-      const Caster& caster = this->CasterOf(piece);
+      Caster& caster = this->CasterOf(piece);
+      ClusterIfSeenInParts(slot, piece, caster);
       const glm::dmat4 worldFromCaster = piece.WorldFromModel * caster.ModelFromCaster;
       const LightTriangles triangles(caster.Mesh, caster.Neighbours,
         lightFromWorld * worldFromCaster, glm::inverse(worldFromCaster) * part.Light,
-        glm::determinant(glm::dmat3(worldFromCaster)) < 0.0);
+        glm::determinant(glm::dmat3(worldFromCaster)) < 0.0, caster.Order);
+      Range range{ prop, part.First + written, triangles.Count(), caster.Clusters,
+        worldFromCaster };
+      std::size_t first = range.First;
+      for (vtkshadows::TriangleCluster& cluster : range.Clusters)
+      {
+        cluster.count = triangles.CountOf(caster.Order, cluster.first, cluster.count);
+        cluster.first = first;
+        first += cluster.count;
+      }
       if (corners)
       {
         triangles.Write(
           corners + 3 * written, static_cast<std::uint32_t>(part.First + written + 1));
       }
       written += triangles.Count();
+      part.Ranges.push_back(std::move(range));
     }
-    range.Count = static_cast<int>(part.First + written) - range.First;
-    part.Ranges.push_back(range);
   }
   // Lost memory, as OpenGL allows, is written again with the next frame.
   part.Known = corners && glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;
@@ -437,15 +466,38 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
   }
   target.Confine(width, height, 1);
   const Part& part = this->Parts[slot];
+  const glm::dmat4 clipFromWorld = view.View.clipFromView * view.View.viewFromWorld;
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
+  const auto add = [&](std::size_t first, std::size_t count)
+  {
+    if (!firsts.empty() && static_cast<std::size_t>(firsts.back() + counts.back()) == 3 * first)
+    {
+      counts.back() += static_cast<GLsizei>(3 * count);
+    }
+    else if (count > 0)
+    {
+      firsts.push_back(static_cast<GLint>(3 * first));
+      counts.push_back(static_cast<GLsizei>(3 * count));
+    }
+  };
   for (const Range& range : part.Ranges)
   {
-    const bool isSeen = std::binary_search(view.Casters.begin(), view.Casters.end(), range.Prop);
-    if (isSeen && range.Count > 0)
+    if (!std::binary_search(view.Casters.begin(), view.Casters.end(), range.Prop))
     {
-      firsts.push_back(3 * range.First);
-      counts.push_back(3 * range.Count);
+      continue;
+    }
+    if (range.Clusters.empty())
+    {
+      add(range.First, range.Count);
+    }
+    const glm::dmat4 clipFromCaster = clipFromWorld * range.WorldFromCaster;
+    for (const vtkshadows::TriangleCluster& cluster : range.Clusters)
+    {
+      if (!vtkshadows::LiesBeside(clipFromCaster, cluster.minimum, cluster.maximum))
+      {
+        add(cluster.first, cluster.count);
+      }
     }
   }
   if (firsts.empty())
@@ -455,7 +507,6 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
 
   vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
     vtkShadowTriangleMapsVS, vtkShadowTriangleMapsFS, "");
-  const glm::dmat4 clipFromWorld = view.View.clipFromView * view.View.viewFromWorld;
   std::array<float, 16> clipFromLight = vtkShadowMatrix::ToFloats(this->Written.Direct
       ? ClipFromMap(width, height)
       : clipFromWorld * glm::inverse(part.LightFromWorld));
@@ -530,7 +581,8 @@ std::size_t vtkShadowTriangleMaps::CasterBytes() const
     [&bytes](const Caster& caster)
     {
       bytes += caster.Mesh.MemoryInBytes() +
-        caster.Neighbours.size() * sizeof(vtkshadows::TriangleNeighbours);
+        caster.Neighbours.size() * sizeof(vtkshadows::TriangleNeighbours) +
+        caster.Order.size() * sizeof(std::uint32_t);
     });
   return bytes;
 }

@@ -8,6 +8,7 @@
 #define vtkShadowTriangleMaps_h
 
 #include "LightTriangles.h"
+#include "TriangleClusters.h"
 #include "vtkShadowByPiece.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowTextureArray.h"
@@ -16,6 +17,7 @@
 #include "vtkWeakPointer.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -68,12 +70,18 @@ private:
     vtkshadows::ShadowMesh<float> Mesh;
     std::vector<vtkshadows::TriangleNeighbours> Neighbours;
     glm::dmat4 ModelFromCaster{ 1.0 };
+    // Once a view sees a part of a large one.
+    std::vector<std::uint32_t> Order; // of the triangles
+    std::vector<vtkshadows::TriangleCluster> Clusters;
   };
-  // The part of a prop in the list.
+  // A piece of a prop in the list: triangles.
   struct Range
   {
     std::size_t Prop = 0;
-    int First = 0, Count = 0; // triangles
+    std::size_t First = 0, Count = 0;
+    // Of those in the list, if it is clustered.
+    std::vector<vtkshadows::TriangleCluster> Clusters;
+    glm::dmat4 WorldFromCaster{ 1.0 };
   };
   // What the list has for a slot, and what that was made from.
   struct Part
@@ -108,6 +116,8 @@ private:
   };
 
   Caster& CasterOf(const vtkShadowScene::Piece& piece);
+  static void ClusterIfSeenInParts(
+    const vtkShadowMapSlot& slot, const vtkShadowScene::Piece& piece, Caster& caster);
   double ExpectedOf(const vtkShadowScene::Prop& prop);
   bool IsTriangles(const vtkShadowScene::Prop& prop);
   void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapViews& views,

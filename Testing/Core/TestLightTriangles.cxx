@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iostream>
+#include <numeric>
 #include <random>
+#include <vector>
 
 using namespace vtkshadows;
 
@@ -105,6 +108,60 @@ TEST(LightTriangles, AreTurnedAndJoined)
   }
   std::cout << "joined sides: " << joined << "\n";
   EXPECT_GT(joined, 10000u);
+}
+
+// In another order the same triangles are listed, each beside the same ones.
+TEST(LightTriangles, InAnotherOrder)
+{
+  std::mt19937 random(11);
+  for (const TestMesh& made : SmallMeshes())
+  {
+    const ShadowMesh<float> mesh = MeshOf(made);
+    const auto neighbours = FindNeighbours(mesh.edges, mesh.triangles.size());
+    std::vector<std::uint32_t> order(mesh.triangles.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::shuffle(order.begin(), order.end(), random);
+    const glm::dvec3 toward = AnyDirection(random);
+    const glm::dvec4 light(toward, 0.0);
+    const LightTriangles plain(mesh, neighbours, glm::dmat4(1.0), light, false);
+    const LightTriangles shuffled(mesh, neighbours, glm::dmat4(1.0), light, false, order);
+    ASSERT_EQ(plain.Count(), shuffled.Count()) << made.name;
+    const std::size_t half = order.size() / 2;
+    EXPECT_EQ(shuffled.CountOf(order, 0, half) + shuffled.CountOf(order, half, order.size() - half),
+      shuffled.Count());
+
+    // Where triangle i of the mesh is in a list, counted from 1; 0: nowhere.
+    std::vector<std::size_t> plainAt(order.size(), 0), shuffledAt(order.size(), 0);
+    for (std::size_t i = 0, listed = 0; i < order.size(); ++i)
+    {
+      listed += plain.CountOf({ static_cast<std::uint32_t>(i) }, 0, 1);
+      plainAt[i] = plain.CountOf({ static_cast<std::uint32_t>(i) }, 0, 1) ? listed : 0;
+    }
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      shuffledAt[order[i]] = shuffled.CountOf(order, i, 1) ? shuffled.CountOf(order, 0, i + 1) : 0;
+    }
+    std::vector<LightCorner> expected(3 * plain.Count()), got(3 * plain.Count());
+    plain.Write(expected.data(), 1);
+    shuffled.Write(got.data(), 1);
+    std::vector<std::size_t> shuffledOf(plain.Count() + 1, 0);
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      shuffledOf[plainAt[i]] = plainAt[i] ? shuffledAt[i] : 0;
+    }
+    for (std::size_t i = 1; i <= plain.Count(); ++i)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const LightCorner& a = expected[3 * i - 3 + k];
+        const LightCorner& b = got[3 * shuffledOf[i] - 3 + k];
+        ASSERT_EQ(a.position, b.position) << made.name;
+        ASSERT_EQ(
+          shuffledOf[static_cast<std::size_t>(a.beyond)], static_cast<std::size_t>(b.beyond))
+          << made.name;
+      }
+    }
+  }
 }
 
 // Of a closed body, what faces the light; its silhouette is where the surface ends.

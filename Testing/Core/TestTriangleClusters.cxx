@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <tuple>
 
@@ -91,6 +92,30 @@ TEST(TriangleClusters, HoldAllTriangles)
       next += cluster.count;
     }
     EXPECT_EQ(next, triangles.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(TriangleClusters, OrderAlone)
+{
+  const Mesh mesh = Country(30, 3);
+  std::vector<glm::uvec3> reordered = mesh.triangles;
+  const std::vector<TriangleCluster> clusters = ClusterTriangles(mesh.vertices, reordered, 100);
+  std::vector<std::uint32_t> order;
+  const std::vector<TriangleCluster> alike =
+    ClusterTriangles(mesh.vertices, mesh.triangles, 100, order);
+  ASSERT_EQ(order.size(), reordered.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    EXPECT_EQ(mesh.triangles[order[i]], reordered[i]);
+  }
+  ASSERT_EQ(alike.size(), clusters.size());
+  for (std::size_t i = 0; i < alike.size(); ++i)
+  {
+    EXPECT_EQ(alike[i].first, clusters[i].first);
+    EXPECT_EQ(alike[i].count, clusters[i].count);
+    EXPECT_EQ(alike[i].minimum, clusters[i].minimum);
+    EXPECT_EQ(alike[i].maximum, clusters[i].maximum);
   }
 }
 

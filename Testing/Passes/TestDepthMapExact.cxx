@@ -9,7 +9,9 @@
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSphereSource.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -159,6 +161,43 @@ TEST_F(DepthMapExact, Cascades)
   this->Maps()->SetNumberOfCascades(4);
   this->CheckLights("four cascades");
   EXPECT_GE(this->Maps()->GetNumberOfViews(), 3);
+}
+
+// Large meshes of which a map holds a part: a country under cascades, and a room with a lamp in it.
+TEST_F(DepthMapExact, PartsOfLargeMeshes)
+{
+  SHADOWTEST_NEEDS_RAY_CAST();
+  const auto ground = [](double u, double v) -> glm::dvec3
+  {
+    const double x = 200.0 * (u - 0.5), y = 200.0 * (v - 0.5);
+    return { x, y, 3.0 * std::sin(0.11 * x + 1.0) * std::cos(0.13 * y) + 0.7 * std::sin(x + y) };
+  };
+  vtkActor* country = AddActor(this->Renderer, MakeSurface(160, 160, ground));
+  AddSun(this->Renderer, { 1.0, 0.6, -0.4 });
+  this->Resize(800, 600);
+  LookAt(this->Renderer, { 0.4, -90.0, 12.0 }, { 0.0, -40.0, 0.0 });
+  this->Maps()->SetNumberOfCascades(4);
+  this->CheckLights("a country, four cascades");
+  EXPECT_GE(this->Maps()->GetNumberOfViews(), 3);
+  // The list is kept, and its parts are other ones.
+  LookAt(this->Renderer, { -3.0, 90.0, 12.0 }, { 0.0, 40.0, 0.0 });
+  this->CheckLights("the same from the other side");
+  country->SetPosition(3.0, 1.0, 0.0);
+  this->CheckLights("moved, four cascades");
+
+  this->Renderer->RemoveAllLights();
+  this->Renderer->RemoveAllViewProps();
+  vtkNew<vtkSphereSource> shell;
+  shell->SetRadius(5.0);
+  shell->SetThetaResolution(160);
+  shell->SetPhiResolution(160);
+  AddActor(this->Renderer, shell);
+  AddSphere(this->Renderer, { 1.5, 1.5, 0.0 }, 0.6);
+  AddBox(this->Renderer, { -2.0, -1.0, -1.0 }, { -1.2, -0.2, 1.0 });
+  this->Renderer->GetActiveCamera()->SetViewAngle(80.0);
+  LookAt(this->Renderer, { 3.0, 3.0, 1.5 }, { -1.0, -1.0, 0.0 });
+  AddLamp(this->Renderer, { 0.2, 0.3, 0.4 });
+  this->CheckLights("a lamp in a shell");
 }
 
 TEST_F(DepthMapExact, OffsetsAndScales)
