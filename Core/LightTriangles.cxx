@@ -41,12 +41,12 @@ LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
   const glm::dvec4& light, bool mirrored, const std::vector<std::uint32_t>& order)
   : Mesh(mesh)
   , Neighbours(neighbours)
+  , Order(order)
   , LightFromMesh(lightFromMesh)
   , Mirrored(mirrored)
 {
   FaceTriangles(mesh, light, CastingFaces::Closed, this->Signs);
   const std::size_t count = mesh.triangles.size();
-  const auto at = [&order](std::size_t i) { return order.empty() ? i : order[i]; };
   this->Places.resize(count, NoTriangle);
   std::vector<std::size_t> starts(NumberOfBlocks(count) + 1, 0);
   ForEachBlock(count,
@@ -54,7 +54,7 @@ LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        starts[block + 1] += this->Signs[at(i)] != 0 ? 1 : 0;
+        starts[block + 1] += this->Signs[this->At(i)] != 0 ? 1 : 0;
       }
     });
   for (std::size_t block = 1; block < starts.size(); ++block)
@@ -68,20 +68,22 @@ LightTriangles::LightTriangles(const ShadowMesh<float>& mesh,
       auto place = static_cast<std::uint32_t>(starts[block]);
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (this->Signs[at(i)] != 0)
+        if (this->Signs[this->At(i)] != 0)
         {
-          this->Places[at(i)] = place++;
+          this->Places[this->At(i)] = place++;
         }
       }
     });
 }
 
-std::size_t LightTriangles::CountOf(
-  const std::vector<std::uint32_t>& order, std::size_t first, std::size_t count) const
+std::size_t LightTriangles::CountOf(std::size_t first, std::size_t count) const
 {
-  const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
-  return static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(count),
-    [this](std::uint32_t triangle) { return this->Signs[triangle] != 0; }));
+  std::size_t listed = 0;
+  for (std::size_t i = first; i < first + count; ++i)
+  {
+    listed += this->Signs[this->At(i)] != 0 ? 1 : 0;
+  }
+  return listed;
 }
 
 void LightTriangles::Write(LightCorner* corners, std::uint32_t first) const

@@ -42,7 +42,7 @@ struct LightCorner
 
 // Lists the triangles of a mesh that cast, in two steps, so that they are written where they will
 // stay. Each runs counter-clockwise seen from the light. Of closed pieces around which the light
-// is not, only what faces it is listed. Mesh and neighbours must outlive it.
+// is not, only what faces it is listed. Mesh, neighbours and order must outlive it.
 class LightTriangles
 {
 public:
@@ -52,20 +52,23 @@ public:
   // `order`: indices of all triangles, as they are to be listed; empty: as they are in the mesh.
   LightTriangles(const ShadowMesh<float>& mesh, const std::vector<TriangleNeighbours>& neighbours,
     const glm::dmat4& lightFromMesh, const glm::dvec4& light, bool mirrored,
-    const std::vector<std::uint32_t>& order = {});
+    const std::vector<std::uint32_t>& order);
 
   std::size_t Count() const { return this->NumberListed; }
   // Of `count` triangles of the order, from the one at `first` on.
-  std::size_t CountOf(
-    const std::vector<std::uint32_t>& order, std::size_t first, std::size_t count) const;
+  std::size_t CountOf(std::size_t first, std::size_t count) const;
 
   // Three corners for each; the first triangle's number is `first`, and the others follow. Room for
   // 3 * Count().
   void Write(LightCorner* corners, std::uint32_t first) const;
 
 private:
+  // The triangle at a place of the order.
+  std::size_t At(std::size_t i) const { return this->Order.empty() ? i : this->Order[i]; }
+
   const ShadowMesh<float>& Mesh;
   const std::vector<TriangleNeighbours>& Neighbours;
+  const std::vector<std::uint32_t>& Order;
   glm::dmat4 LightFromMesh;
   bool Mirrored;
   std::vector<CastSign> Signs;

@@ -156,26 +156,61 @@ void OrderVertices(std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& tr
 }
 
 //------------------------------------------------------------------------------
-bool LiesBeside(const glm::dmat4& clipFromMesh, const glm::vec3& minimum, const glm::vec3& maximum)
+ViewSides::ViewSides(const glm::dmat4& clipFromMesh)
+{
+  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromMesh);
+  std::copy_n(planes.begin(), SidePlanes, this->Planes.begin());
+  const glm::dvec4 depth = glm::abs(glm::row(clipFromMesh, 3));
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Terms[i] = glm::abs(glm::row(clipFromMesh, i)) + depth;
+  }
+}
+
+bool ViewSides::LeaveOut(const glm::vec3& minimum, const glm::vec3& maximum) const
 {
   const glm::dvec3 low(minimum), high(maximum);
-  const glm::dvec3 largest = glm::max(glm::abs(low), glm::abs(high));
-  const auto termsOf = [&](int row)
-  { return glm::dot(glm::abs(glm::row(clipFromMesh, row)), glm::dvec4(largest, 1.0)); };
-  const double terms[2] = { termsOf(0) + termsOf(3), termsOf(1) + termsOf(3) };
-  const std::array<glm::dvec4, 6> planes = ViewPlanes(clipFromMesh);
+  const glm::dvec4 largest(glm::max(glm::abs(low), glm::abs(high)), 1.0);
   for (std::size_t i = 0; i < SidePlanes; ++i)
   {
-    const glm::dvec4& plane = planes[i];
+    const glm::dvec4& plane = this->Planes[i];
     // The corner farthest within.
     const glm::dvec4 corner(plane.x > 0.0 ? high.x : low.x, plane.y > 0.0 ? high.y : low.y,
       plane.z > 0.0 ? high.z : low.z, 1.0);
-    if (glm::dot(plane, corner) < -Rounding * terms[i / 2])
+    if (glm::dot(plane, corner) < -Rounding * glm::dot(this->Terms[i / 2], largest))
     {
       return true;
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+void TriangleRanges::Add(std::size_t first, std::size_t count)
+{
+  if (count == 0)
+  {
+    return;
+  }
+  if (!this->Ranges.empty() && this->Ranges.back().first + this->Ranges.back().count == first)
+  {
+    this->Ranges.back().count += count;
+    return;
+  }
+  this->Ranges.push_back({ first, count });
+}
+
+void TriangleRanges::AddSeen(
+  const std::vector<TriangleCluster>& clusters, const glm::dmat4& clipFromMesh, std::size_t listed)
+{
+  const ViewSides sides(clipFromMesh);
+  for (const TriangleCluster& cluster : clusters)
+  {
+    if (!sides.LeaveOut(cluster.minimum, cluster.maximum))
+    {
+      this->Add(listed + cluster.first, cluster.count);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,9 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,6 +22,12 @@ namespace vtkshadows
 constexpr double MostTrianglesInOne = 2.0e4;
 constexpr double MostShareSeen = 0.5;
 constexpr std::size_t TrianglesOfCluster = 1024;
+
+// Of a list of triangles: first to first + count.
+struct TriangleRange
+{
+  std::size_t first = 0, count = 0;
+};
 
 // Triangles first to first + count, all of them within the bounds.
 struct TriangleCluster
@@ -42,9 +50,37 @@ std::vector<TriangleCluster> ClusterTriangles(const std::vector<glm::vec3>& vert
 // have theirs in a row; what none uses is left out.
 void OrderVertices(std::vector<glm::vec3>& vertices, std::vector<glm::uvec3>& triangles);
 
-// Whether nothing of the bounds lies within the four sides of a view. It errs on the side of no, by
-// more than single precision rounds, so that what is left out is drawn by no pixel.
-bool LiesBeside(const glm::dmat4& clipFromMesh, const glm::vec3& minimum, const glm::vec3& maximum);
+// The four sides of a view.
+class ViewSides
+{
+public:
+  explicit ViewSides(const glm::dmat4& clipFromMesh);
+  // Whether nothing of the bounds lies within them. It errs on the side of no, by more than single
+  // precision rounds, so that what is left out is drawn by no pixel.
+  bool LeaveOut(const glm::vec3& minimum, const glm::vec3& maximum) const;
+
+private:
+  std::array<glm::dvec4, 4> Planes;
+  // Of the bounds' largest coordinates, for left and right, bottom and top: what clip coordinates
+  // are summed from.
+  std::array<glm::dvec4, 2> Terms;
+};
+
+// What is to be drawn of a list of triangles, in the fewest ranges.
+class TriangleRanges
+{
+public:
+  // What goes on from the last range is joined with it.
+  void Add(std::size_t first, std::size_t count);
+  // Those of the clusters that the view's sides do not leave out; the list has them from `listed`
+  // on.
+  void AddSeen(const std::vector<TriangleCluster>& clusters, const glm::dmat4& clipFromMesh,
+    std::size_t listed = 0);
+  const std::vector<TriangleRange>& Get() const { return this->Ranges; }
+
+private:
+  std::vector<TriangleRange> Ranges;
+};
 
 // About what share of a box's volume lies within the four sides of a view, 0 to 1.
 double ShareWithin(const glm::dmat4& clipFromWorld, const BoxCorners& box);

@@ -381,9 +381,11 @@ void vtkDepthShadowMapPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
   const vtkShadowTextureArray& drawn = isDirect ? my.Maps : my.Depths;
   const int layer = isDirect ? view.Layer : 0;
   vtkShadowMapView byMappers = view;
+  bool hasPlain = true;
   if (this->Filter == EXACT)
   {
     byMappers.Casters = my.Triangles.PlainCasters(view);
+    hasPlain = !byMappers.Casters.empty();
   }
   std::vector<std::size_t> translucents;
   const auto transmits = [&frame](std::size_t i) { return frame.Scene->GetProps()[i].Transmits; };
@@ -399,7 +401,7 @@ void vtkDepthShadowMapPass::DrawMap(const vtkShadowFrame& frame, const vtkShadow
   if (this->Filter == EXACT)
   {
     const auto number = static_cast<std::size_t>(&slot - this->GetViews().GetSlots().data());
-    my.Triangles.Draw(frame, drawn, layer, number, view, width, height);
+    my.Triangles.Draw(frame, drawn, layer, number, view, hasPlain, width, height);
   }
   if (my.Transmits)
   {

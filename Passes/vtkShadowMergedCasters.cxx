@@ -25,6 +25,7 @@
 namespace
 {
 
+constexpr std::size_t BytesOfTriangle = 3 * sizeof(std::uint32_t); // its indices
 constexpr std::size_t FirstBytes = std::size_t(1) << 16;
 // What is no longer drawn is left in the list up to this share of it.
 constexpr double MostUnused = 0.5;
@@ -114,29 +115,14 @@ void vtkShadowMergedCasters::List::Append(const void* data, std::size_t bytes)
 }
 
 //------------------------------------------------------------------------------
-// What follows the last range goes on with it.
-void vtkShadowMergedCasters::Ranges::Add(std::size_t firstIndex, std::size_t indices)
-{
-  const bool goesOn = !this->Counts.empty() && this->End == firstIndex;
-  this->End = firstIndex + indices;
-  if (goesOn)
-  {
-    this->Counts.back() += static_cast<int>(indices);
-    return;
-  }
-  this->Counts.push_back(static_cast<int>(indices));
-  this->Offsets.push_back(reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t)));
-}
-
-//------------------------------------------------------------------------------
 void vtkShadowMergedCasters::BeginFrame(const vtkShadowFrame& frame)
 {
   ++this->FrameNumber;
   this->NumberDrawn = 0;
   this->Casters.BeginFrame(frame.Scene->GetProps());
   std::size_t listed = 0;
-  this->Casters.ForEach([&listed](const Caster& caster) { listed += caster.Indices; });
-  const double used = static_cast<double>(this->Indices.Used / sizeof(std::uint32_t));
+  this->Casters.ForEach([&listed](const Caster& caster) { listed += caster.Triangles; });
+  const double used = static_cast<double>(this->Indices.Used / BytesOfTriangle);
   if (this->Window != frame.Window || used - static_cast<double>(listed) > MostUnused * used)
   {
     this->Release();
@@ -205,8 +191,8 @@ void vtkShadowMergedCasters::Enlist(const vtkShadowScene::Piece& piece, Caster& 
   {
     indices.insert(indices.end(), { first + triangle.x, first + triangle.y, first + triangle.z });
   }
-  caster.FirstIndex = this->Indices.Used / sizeof(std::uint32_t);
-  caster.Indices = indices.size();
+  caster.First = this->Indices.Used / BytesOfTriangle;
+  caster.Triangles = geometry.Triangles.size();
   this->Vertices.Append(vertices.data(), vertices.size() * sizeof(Vertex));
   this->Indices.Append(indices.data(), indices.size() * sizeof(std::uint32_t));
 }
@@ -264,14 +250,8 @@ std::vector<std::size_t> vtkShadowMergedCasters::Draw(const vtkShadowFrame& fram
     std::copy(
       matrix.begin(), matrix.end(), this->Matrices.begin() + std::size_t(16) * caster.Matrix);
     const auto hidden = culled.find(piece.Prop);
-    Ranges& ranges = this->Drawn[hidden == culled.end() ? 0 : hidden->second == GL_FRONT ? 1 : 2];
-    for (const vtkshadows::TriangleCluster& cluster : caster.Clusters)
-    {
-      if (!vtkshadows::LiesBeside(clipFromCaster, cluster.minimum, cluster.maximum))
-      {
-        ranges.Add(caster.FirstIndex + 3 * cluster.first, 3 * cluster.count);
-      }
-    }
+    const std::size_t faces = hidden == culled.end() ? 0 : hidden->second == GL_FRONT ? 1 : 2;
+    this->Drawn[faces].AddSeen(caster.Clusters, clipFromCaster, caster.First);
     ++drawn;
   }
   if (drawn == 0)
@@ -305,8 +285,8 @@ void vtkShadowMergedCasters::DrawRanges(const vtkShadowFrame& frame, bool writes
   const GLenum hidden[] = { GL_NONE, GL_FRONT, GL_BACK };
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
-    const Ranges& ranges = this->Drawn[i];
-    if (ranges.Counts.empty())
+    const std::vector<vtkshadows::TriangleRange>& ranges = this->Drawn[i].Get();
+    if (ranges.empty())
     {
       continue;
     }
@@ -319,7 +299,14 @@ void vtkShadowMergedCasters::DrawRanges(const vtkShadowFrame& frame, bool writes
       state->vtkglEnable(GL_CULL_FACE);
       state->vtkglCullFace(hidden[i]);
     }
-    glMultiDrawElements(GL_TRIANGLES, ranges.Counts.data(), GL_UNSIGNED_INT, ranges.Offsets.data(),
-      static_cast<GLsizei>(ranges.Counts.size()));
+    std::vector<GLsizei> counts;
+    std::vector<const void*> offsets;
+    for (const vtkshadows::TriangleRange& range : ranges)
+    {
+      counts.push_back(static_cast<GLsizei>(3 * range.count));
+      offsets.push_back(reinterpret_cast<const void*>(range.first * BytesOfTriangle));
+    }
+    glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+      static_cast<GLsizei>(counts.size()));
   }
 }

@@ -79,7 +79,7 @@ private:
     unsigned int DrawnFirst = 0; // the frame
     bool IsLarge = false;
     std::uint32_t Matrix = 0;
-    std::size_t FirstIndex = 0, Indices = 0;
+    std::size_t First = 0, Triangles = 0; // in the list
     std::vector<vtkshadows::TriangleCluster> Clusters;
     glm::dmat4 ModelFromCaster{ 1.0 };
   };
@@ -104,17 +104,10 @@ private:
   unsigned int FrameNumber = 0;
 
   // Of one draw.
-  struct Ranges
-  {
-    std::vector<int> Counts;
-    std::vector<const void*> Offsets;
-    std::size_t End = 0; // of the last: the index after it
-
-    void Add(std::size_t firstIndex, std::size_t indices);
-  };
   std::vector<float> Matrices;
   vtkShadowTextureBuffer MatrixTexture;
-  std::array<Ranges, 3> Drawn; // all faces, all but front ones, all but back ones
+  // All faces, all but front ones, all but back ones.
+  std::array<vtkshadows::TriangleRanges, 3> Drawn;
 };
 
 #endif

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 using vtkshadows::LightCorner;
@@ -33,60 +32,11 @@ using vtkshadows::LightView;
 namespace
 {
 
-// From a view's coordinates, in which it looks along -z, to depths before it.
-glm::dmat4 DepthFromView(double zeroDepth)
-{
-  glm::dmat4 m = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, -1.0));
-  m[3][2] = -zeroDepth;
-  return m;
-}
-
-// Depths before the light at which a view's map begins and ends.
-void RangeOf(const LightView& view, double& nearDepth, double& farDepth)
-{
-  const double scale = view.clipFromView[2][2], offset = view.clipFromView[3][2];
-  nearDepth = view.parallel ? (1.0 + offset) / scale : offset / (scale - 1.0);
-  farDepth = view.parallel ? (offset - 1.0) / scale : offset / (scale + 1.0);
-}
-
-// The corners' unit of length, so that products of their coordinates are floats at every scale of
-// the scene; a power of two, which rounds nothing.
-double UnitOf(const vtkShadowMapSlot& slot)
-{
-  double nearDepth = 0.0, farDepth = 0.0;
-  RangeOf(slot.Views.front().View, nearDepth, farDepth);
-  const double length =
-    slot.IsCube ? vtkShadowMapViews::FarthestIn(slot.CubeFromWorld, slot.Casters) : farDepth;
-  return length > 0.0 && std::isfinite(length) ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
-}
-
-glm::dmat4 InUnits(double unit)
-{
-  return glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / unit));
-}
-
 // From texels and depths, 0 to 1, of a map.
 glm::dmat4 ClipFromMap(int width, int height)
 {
   const glm::dmat4 scaled = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0 / width, 2.0 / height, 2.0));
   return glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) * scaled;
-}
-
-// Whether a prop lies wholly before a light with a position, and not so near that a projection
-// overflows.
-bool IsBefore(const LightView& view, const vtkShadowScene::Prop& prop)
-{
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
-  for (const vtkShadowScene::Piece& piece : prop.Pieces)
-  {
-    for (const glm::dvec3& corner : piece.CornersWC)
-    {
-      const double depth = -(view.viewFromWorld * glm::dvec4(corner, 1.0)).z;
-      nearest = std::min(nearest, depth);
-      farthest = std::max(farthest, depth);
-    }
-  }
-  return nearest > 1e-4 * farthest;
 }
 
 }
@@ -182,28 +132,6 @@ bool vtkShadowTriangleMaps::IsTriangles(const vtkShadowScene::Prop& prop)
 }
 
 //------------------------------------------------------------------------------
-// The space that the corners are in. If each light has one map and stands before all that casts, it
-// is that map's own, texels and depths: then nothing more need be known in the lookup. Else its
-// third axis is the depth before the light, from the near plane on; for a cube it is the cube's
-// own. Both in UnitOf(slot).
-glm::dmat4 vtkShadowTriangleMaps::LightFromWorld(
-  const vtkShadowMapViews& views, const vtkShadowMapSlot& slot) const
-{
-  if (slot.IsCube)
-  {
-    return InUnits(UnitOf(slot)) * slot.CubeFromWorld;
-  }
-  const LightView& view = slot.Views.front().View;
-  if (this->Written.Direct)
-  {
-    return views.MapOf(view) * view.viewFromWorld;
-  }
-  double nearDepth = 0.0, farDepth = 0.0;
-  RangeOf(view, nearDepth, farDepth);
-  return InUnits(UnitOf(slot)) * DepthFromView(nearDepth) * view.viewFromWorld;
-}
-
-//------------------------------------------------------------------------------
 std::vector<std::size_t> vtkShadowTriangleMaps::Update(
   const vtkShadowFrame& frame, const vtkShadowMapViews& views)
 {
@@ -273,7 +201,14 @@ std::vector<std::size_t> vtkShadowTriangleMaps::Update(
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
   }
 
-  this->UpdateShape(props, views, propsOf);
+  for (const std::vector<std::size_t>& drawn : propsOf)
+  {
+    for (const std::size_t prop : drawn)
+    {
+      this->DrawnHere[prop] = 1;
+    }
+  }
+  this->Places.Update(props, views, propsOf, this->HasPlainCasters(views));
   this->Parts.resize(propsOf.size());
   std::vector<std::size_t> renumbered;
   std::size_t first = 0;
@@ -297,45 +232,7 @@ std::vector<std::size_t> vtkShadowTriangleMaps::Update(
     first += rooms[i];
     this->UpdatePart(frame, views, views.GetSlots()[i], part);
   }
-  if (!this->Written.Direct)
-  {
-    this->UpdatePlaces(views);
-  }
   return renumbered;
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowTriangleMaps::UpdateShape(const std::vector<vtkShadowScene::Prop>& props,
-  const vtkShadowMapViews& views, const std::vector<std::vector<std::size_t>>& propsOf)
-{
-  for (const std::vector<std::size_t>& drawn : propsOf)
-  {
-    for (const std::size_t prop : drawn)
-    {
-      this->DrawnHere[prop] = 1;
-    }
-  }
-  Shape shape;
-  for (std::size_t i = 0; i < propsOf.size(); ++i)
-  {
-    const vtkShadowMapSlot& slot = views.GetSlots()[i];
-    shape.Direct = shape.Direct && !slot.IsCube && slot.Views.size() <= 1;
-    for (const vtkShadowMapView& view : slot.Views)
-    {
-      shape.Layers = std::max(shape.Layers, static_cast<std::size_t>(view.Layer) + 1);
-      shape.HasPlain = shape.HasPlain || !this->PlainCasters(view).empty();
-    }
-    if (shape.Direct && !slot.Views.empty() && !slot.Views.front().View.parallel)
-    {
-      for (const std::size_t prop : propsOf[i])
-      {
-        shape.Direct = shape.Direct && IsBefore(slot.Views.front().View, props[prop]);
-      }
-    }
-  }
-  shape.Layers = std::max(shape.Layers, this->Written.Layers);
-  this->ShaderChanged = this->ShaderChanged || !(shape == this->Written);
-  this->Written = shape;
 }
 
 //------------------------------------------------------------------------------
@@ -347,7 +244,7 @@ void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkSha
     part.Ranges.clear();
     return;
   }
-  const glm::dmat4 lightFromWorld = this->LightFromWorld(views, slot);
+  const glm::dmat4 lightFromWorld = this->Places.LightFromWorld(views, slot);
   const vtkMTimeType stamp = frame.Scene->GetCasterStamp();
   if (part.Known && part.CasterStamp == stamp && part.LightFromWorld == lightFromWorld)
   {
@@ -378,7 +275,7 @@ void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkSha
       std::size_t first = range.First;
       for (vtkshadows::TriangleCluster& cluster : range.Clusters)
       {
-        cluster.count = triangles.CountOf(caster.Order, cluster.first, cluster.count);
+        cluster.count = triangles.CountOf(cluster.first, cluster.count);
         cluster.first = first;
         first += cluster.count;
       }
@@ -397,54 +294,6 @@ void vtkShadowTriangleMaps::UpdatePart(const vtkShadowFrame& frame, const vtkSha
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowTriangleMaps::UpdatePlaces(const vtkShadowMapViews& views)
-{
-  this->Places.assign(this->Written.Layers, {});
-  for (const vtkShadowMapSlot& slot : views.GetSlots())
-  {
-    for (const vtkShadowMapView& placed : slot.Views)
-    {
-      const LightView& view = placed.View;
-      const glm::dmat4& clip = view.clipFromView;
-      const glm::dvec2 half = 0.5 * glm::dvec2(views.WidthOf(view), views.HeightOf(view));
-      const glm::dvec2 perLength = half * glm::dvec2(clip[0][0], clip[1][1]);
-      glm::dvec2 axis = half *
-        (view.parallel ? glm::dvec2(1.0 + clip[3][0], 1.0 + clip[3][1])
-                       : glm::dvec2(1.0 - clip[2][0], 1.0 - clip[2][1]));
-      double nearDepth = 0.0, farDepth = 0.0, zeroDepth = 0.0, begin = 0.0;
-      RangeOf(view, nearDepth, farDepth);
-      if (slot.IsCube)
-      {
-        begin = nearDepth;
-      }
-      else
-      {
-        RangeOf(slot.Views.front().View, zeroDepth, begin);
-        begin = nearDepth - zeroDepth;
-      }
-      if (view.parallel)
-      {
-        // Views of one light differ by where they stand.
-        const glm::dvec3 moved((DepthFromView(zeroDepth) * view.viewFromWorld *
-          glm::inverse(this->LightFromWorld(views, slot)))[3]);
-        axis += perLength * glm::dvec2(moved);
-        begin -= moved.z;
-      }
-      const double unit = UnitOf(slot);
-      const auto inUnits = [unit](double length) { return static_cast<float>(length / unit); };
-      // A perspective map's texels are as wide as depths are long: their ratio has no unit.
-      const glm::dvec2 texel = 1.0 / (view.parallel ? unit * perLength : perLength);
-      Place& place = this->Places[placed.Layer];
-      place.Plane = { static_cast<float>(axis.x), static_cast<float>(axis.y),
-        static_cast<float>(texel.x), static_cast<float>(texel.y) };
-      place.Depth = { inUnits(begin), inUnits(farDepth - nearDepth), inUnits(nearDepth),
-        view.parallel ? 0.0f : inUnits(farDepth) };
-      place.Other = { static_cast<float>(placed.Face), inUnits(zeroDepth) };
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 std::vector<std::size_t> vtkShadowTriangleMaps::PlainCasters(const vtkShadowMapView& view) const
 {
   std::vector<std::size_t> plain;
@@ -453,34 +302,35 @@ std::vector<std::size_t> vtkShadowTriangleMaps::PlainCasters(const vtkShadowMapV
   return plain;
 }
 
+bool vtkShadowTriangleMaps::HasPlainCasters(const vtkShadowMapViews& views) const
+{
+  for (const vtkShadowMapSlot& slot : views.GetSlots())
+  {
+    if (std::any_of(slot.Views.begin(), slot.Views.end(),
+          [this](const vtkShadowMapView& view) { return !this->PlainCasters(view).empty(); }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 //------------------------------------------------------------------------------
 void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths,
-  int depthLayer, std::size_t slot, const vtkShadowMapView& view, int width, int height)
+  int depthLayer, std::size_t slot, const vtkShadowMapView& view, bool hasPlain, int width,
+  int height)
 {
   vtkShadowDrawScope target(frame.Window, depths, depthLayer, &this->Numbers, view.Layer);
   // A number is asked for where something was drawn. Where that was not from here, it must be 0;
   // else what an earlier map left there is nowhere looked up.
-  if (!this->PlainCasters(view).empty())
+  if (hasPlain)
   {
     target.ClearColour(nullptr);
   }
   target.Confine(width, height, 1);
   const Part& part = this->Parts[slot];
   const glm::dmat4 clipFromWorld = view.View.clipFromView * view.View.viewFromWorld;
-  std::vector<GLint> firsts;
-  std::vector<GLsizei> counts;
-  const auto add = [&](std::size_t first, std::size_t count)
-  {
-    if (!firsts.empty() && static_cast<std::size_t>(firsts.back() + counts.back()) == 3 * first)
-    {
-      counts.back() += static_cast<GLsizei>(3 * count);
-    }
-    else if (count > 0)
-    {
-      firsts.push_back(static_cast<GLint>(3 * first));
-      counts.push_back(static_cast<GLsizei>(3 * count));
-    }
-  };
+  vtkshadows::TriangleRanges ranges;
   for (const Range& range : part.Ranges)
   {
     if (!std::binary_search(view.Casters.begin(), view.Casters.end(), range.Prop))
@@ -489,25 +339,25 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
     }
     if (range.Clusters.empty())
     {
-      add(range.First, range.Count);
+      ranges.Add(range.First, range.Count);
     }
-    const glm::dmat4 clipFromCaster = clipFromWorld * range.WorldFromCaster;
-    for (const vtkshadows::TriangleCluster& cluster : range.Clusters)
-    {
-      if (!vtkshadows::LiesBeside(clipFromCaster, cluster.minimum, cluster.maximum))
-      {
-        add(cluster.first, cluster.count);
-      }
-    }
+    ranges.AddSeen(range.Clusters, clipFromWorld * range.WorldFromCaster);
   }
-  if (firsts.empty())
+  if (ranges.Get().empty())
   {
     return;
+  }
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (const vtkshadows::TriangleRange& range : ranges.Get())
+  {
+    firsts.push_back(static_cast<GLint>(3 * range.first));
+    counts.push_back(static_cast<GLsizei>(3 * range.count));
   }
 
   vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
     vtkShadowTriangleMapsVS, vtkShadowTriangleMapsFS, "");
-  std::array<float, 16> clipFromLight = vtkShadowMatrix::ToFloats(this->Written.Direct
+  std::array<float, 16> clipFromLight = vtkShadowMatrix::ToFloats(this->Places.IsDirect()
       ? ClipFromMap(width, height)
       : clipFromWorld * glm::inverse(part.LightFromWorld));
   program->SetUniformMatrix4x4("shadowClipFromLight", clipFromLight.data());
@@ -518,21 +368,6 @@ void vtkShadowTriangleMaps::Draw(const vtkShadowFrame& frame, const vtkShadowTex
   glMultiDrawArrays(
     GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
   glDisable(GL_DEPTH_CLAMP);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkShadowTriangleMaps::Declarations() const
-{
-  return "#define SHADOW_DEPTH_MAP_PLACES " + std::to_string(this->Written.Layers) + "\n" +
-    (this->Written.Direct ? "#define SHADOW_DEPTH_MAP_DIRECT\n" : "") +
-    (this->Written.HasPlain ? "#define SHADOW_DEPTH_MAP_PLAIN\n" : "");
-}
-
-bool vtkShadowTriangleMaps::TakeShaderChange()
-{
-  const bool changed = this->ShaderChanged;
-  this->ShaderChanged = false;
-  return changed;
 }
 
 //------------------------------------------------------------------------------
@@ -556,21 +391,7 @@ void vtkShadowTriangleMaps::SetParameters(vtkShaderProgram* program) const
 {
   program->SetUniformi("shadowDepthMapNumbers", this->Numbers.Unit());
   program->SetUniformi("shadowDepthMapCorners", this->BoundTo.Get());
-  if (this->Written.Direct)
-  {
-    return;
-  }
-  std::vector<float> planes, depths, others;
-  for (const Place& place : this->Places)
-  {
-    planes.insert(planes.end(), place.Plane.begin(), place.Plane.end());
-    depths.insert(depths.end(), place.Depth.begin(), place.Depth.end());
-    others.insert(others.end(), place.Other.begin(), place.Other.end());
-  }
-  const int count = static_cast<int>(this->Places.size());
-  program->SetUniform4fv("shadowDepthMapPlanes", count, planes.data());
-  program->SetUniform4fv("shadowDepthMapDepths", count, depths.data());
-  program->SetUniform2fv("shadowDepthMapOthers", count, others.data());
+  this->Places.SetParameters(program);
 }
 
 //------------------------------------------------------------------------------

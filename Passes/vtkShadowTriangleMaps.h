@@ -12,11 +12,11 @@
 #include "vtkShadowByPiece.h"
 #include "vtkShadowMapViews.h"
 #include "vtkShadowTextureArray.h"
+#include "vtkShadowTrianglePlaces.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,15 +43,15 @@ public:
   const std::string& GetFault() const { return this->Fault; }
 
   // Draws the casters of a view into a layer of `depths` and into its layer of the numbers.
-  // `plain`, casters of the view among the scene's props, are drawn by the caller, ahead of this:
-  // see PlainCasters.
+  // The caller has drawn PlainCasters ahead of this; hasPlain: there are any.
   void Draw(const vtkShadowFrame& frame, const vtkShadowTextureArray& depths, int depthLayer,
-    std::size_t slot, const vtkShadowMapView& view, int width, int height);
+    std::size_t slot, const vtkShadowMapView& view, bool hasPlain, int width, int height);
+  // Casters of the view, among the scene's props, that are not drawn from here.
   std::vector<std::size_t> PlainCasters(const vtkShadowMapView& view) const;
 
   // Grows when shaders must be written anew, with Declarations() ahead of the lookup's text.
-  std::string Declarations() const;
-  bool TakeShaderChange();
+  std::string Declarations() const { return this->Places.Declarations(); }
+  bool TakeShaderChange() { return this->Places.TakeShaderChange(); }
   void Activate();
   void Deactivate();
   void SetParameters(vtkShaderProgram* program) const;
@@ -94,49 +94,22 @@ private:
     std::size_t First = 0, Room = 0; // triangles
     std::vector<Range> Ranges;
   };
-  // A layer, as the lookup is told of it.
-  struct Place
-  {
-    std::array<float, 4> Plane{}; // texel of the axis, and units a texel, in x and y
-    std::array<float, 4> Depth{}; // where its depths begin, their range, and near and far plane
-    std::array<float, 2> Other{}; // face of the cube, and the light's distance from depth 0
-  };
-  // What shaders are written with.
-  struct Shape
-  {
-    std::size_t Layers = 1;
-    bool Direct = true;
-    bool HasPlain = false;
-
-    bool operator==(const Shape& other) const
-    {
-      return this->Layers == other.Layers && this->Direct == other.Direct &&
-        this->HasPlain == other.HasPlain;
-    }
-  };
-
   Caster& CasterOf(const vtkShadowScene::Piece& piece);
   static void ClusterIfSeenInParts(
     const vtkShadowMapSlot& slot, const vtkShadowScene::Piece& piece, Caster& caster);
   double ExpectedOf(const vtkShadowScene::Prop& prop);
   bool IsTriangles(const vtkShadowScene::Prop& prop);
+  bool HasPlainCasters(const vtkShadowMapViews& views) const;
   void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapViews& views,
     const vtkShadowMapSlot& slot, Part& part);
-  void UpdateShape(const std::vector<vtkShadowScene::Prop>& props, const vtkShadowMapViews& views,
-    const std::vector<std::vector<std::size_t>>& propsOf);
-  void UpdatePlaces(const vtkShadowMapViews& views);
-  glm::dmat4 LightFromWorld(const vtkShadowMapViews& views, const vtkShadowMapSlot& slot) const;
-
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowTextureArray Numbers;
   vtkShadowByPiece<Caster> Casters;
   vtkShadowByPiece<double> Expected; // triangles
   std::vector<char> DrawnHere;       // one a prop of this frame
   std::vector<Part> Parts;           // one a slot
-  std::vector<Place> Places;         // one a layer
   std::string Fault;
-  Shape Written;
-  bool ShaderChanged = false;
+  vtkShadowTrianglePlaces Places;
   std::size_t Capacity = 0; // of the buffer, in triangles
   unsigned int Buffer = 0, Texture = 0;
   vtkShadowTextureUnit BoundTo;

@@ -171,7 +171,7 @@ TEST(TriangleClusters, AViewDrawsWhatItSees)
     const glm::dmat4 clipFromMesh = lot.AnyView().ClipFromWorld();
     for (const TriangleCluster& cluster : clusters)
     {
-      const bool isBeside = LiesBeside(clipFromMesh, cluster.minimum, cluster.maximum);
+      const bool isBeside = ViewSides(clipFromMesh).LeaveOut(cluster.minimum, cluster.maximum);
       beside += isBeside;
       seen += !isBeside;
       for (std::size_t i = cluster.first; isBeside && i < cluster.first + cluster.count; ++i)
@@ -197,7 +197,7 @@ TEST(TriangleClusters, AViewDrawsWhatItSees)
   std::size_t drawn = 0;
   for (const TriangleCluster& cluster : clusters)
   {
-    drawn += LiesBeside(clipFromMesh, cluster.minimum, cluster.maximum) ? 0 : cluster.count;
+    drawn += ViewSides(clipFromMesh).LeaveOut(cluster.minimum, cluster.maximum) ? 0 : cluster.count;
   }
   EXPECT_GT(drawn, 0.1 * triangles.size());
   EXPECT_LT(drawn, 0.25 * triangles.size());
@@ -212,23 +212,74 @@ TEST(TriangleClusters, AViewDrawsWhatItSees)
 TEST(TriangleClusters, ASideErrsOnTheSideOfDrawing)
 {
   const glm::dmat4 clip(1.0);
-  EXPECT_FALSE(LiesBeside(clip, { 1.0f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
-  EXPECT_FALSE(LiesBeside(clip, { 1.000001f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
-  EXPECT_TRUE(LiesBeside(clip, { 1.001f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
+  EXPECT_FALSE(ViewSides(clip).LeaveOut({ 1.0f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
+  EXPECT_FALSE(ViewSides(clip).LeaveOut({ 1.000001f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
+  EXPECT_TRUE(ViewSides(clip).LeaveOut({ 1.001f, -0.1f, 0.0f }, { 2.0f, 0.1f, 0.0f }));
   // Seen from far away the sums have larger terms: single precision moves by 0.06 what lies 1e6
   // from the eye.
   glm::dmat4 far(1.0);
   far[2] = glm::dvec4(0.0, 0.0, -1.0, -1.0);
   far[3] = glm::dvec4(1.0e6, 0.0, 1.0e6, 1.0e6);
-  EXPECT_FALSE(LiesBeside(far, { 0.5f, -0.1f, -0.1f }, { 0.6f, 0.1f, 0.1f }));
-  EXPECT_TRUE(LiesBeside(far, { 100.0f, -0.1f, -0.1f }, { 101.0f, 0.1f, 0.1f }));
+  EXPECT_FALSE(ViewSides(far).LeaveOut({ 0.5f, -0.1f, -0.1f }, { 0.6f, 0.1f, 0.1f }));
+  EXPECT_TRUE(ViewSides(far).LeaveOut({ 100.0f, -0.1f, -0.1f }, { 101.0f, 0.1f, 0.1f }));
   // Behind an eye nothing is seen, but what reaches to before it.
   glm::dmat4 eye(0.0);
   eye[0][0] = eye[1][1] = 1.0;
   eye[2][2] = eye[2][3] = -1.0; // w = -z
   eye[3][2] = -0.1;
-  EXPECT_TRUE(LiesBeside(eye, { -1.0f, -1.0f, 2.0f }, { 1.0f, 1.0f, 3.0f }));
+  EXPECT_TRUE(ViewSides(eye).LeaveOut({ -1.0f, -1.0f, 2.0f }, { 1.0f, 1.0f, 3.0f }));
   EXPECT_EQ(ShareWithin(eye, CornersOf({ 0.0, 0.0, 3.0 }, 1.0)), 0.0);
-  EXPECT_FALSE(LiesBeside(eye, { -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 3.0f }));
-  EXPECT_TRUE(LiesBeside(eye, { 5.0f, -1.0f, -1.0f }, { 6.0f, 1.0f, -0.5f }));
+  EXPECT_FALSE(ViewSides(eye).LeaveOut({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 3.0f }));
+  EXPECT_TRUE(ViewSides(eye).LeaveOut({ 5.0f, -1.0f, -1.0f }, { 6.0f, 1.0f, -0.5f }));
+}
+
+//------------------------------------------------------------------------------
+// What is drawn is what the sides do not leave out, in ranges that do not touch.
+TEST(TriangleClusters, RangesOfAView)
+{
+  const Mesh mesh = Country(60, 11);
+  std::vector<glm::uvec3> triangles = mesh.triangles;
+  const std::vector<TriangleCluster> clusters = ClusterTriangles(mesh.vertices, triangles, 50);
+  constexpr std::size_t Listed = 1000;
+  Lot lot(12);
+  std::size_t joined = 0;
+  for (int scene = 0; scene < Scenes; ++scene)
+  {
+    const glm::dmat4 clipFromMesh = lot.AnyView().ClipFromWorld();
+    TriangleRanges ranges;
+    ranges.AddSeen(clusters, clipFromMesh, Listed);
+    std::vector<char> drawn(triangles.size(), 0), wanted = drawn;
+    std::size_t end = 0, seen = 0;
+    for (const TriangleRange& range : ranges.Get())
+    {
+      ASSERT_GT(range.count, 0u);
+      ASSERT_TRUE(end == 0 || range.first > end) << "they would be one";
+      end = range.first + range.count;
+      ASSERT_GE(range.first, Listed);
+      ASSERT_LE(end, Listed + triangles.size());
+      std::fill_n(drawn.begin() + (range.first - Listed), range.count, 1);
+    }
+    const ViewSides sides(clipFromMesh);
+    for (const TriangleCluster& cluster : clusters)
+    {
+      const bool isSeen = !sides.LeaveOut(cluster.minimum, cluster.maximum);
+      std::fill_n(wanted.begin() + cluster.first, cluster.count, isSeen);
+      seen += isSeen;
+    }
+    EXPECT_EQ(drawn, wanted);
+    joined += seen - ranges.Get().size();
+  }
+  EXPECT_GT(joined, 0u);
+
+  TriangleRanges ranges;
+  ranges.Add(3, 0);
+  EXPECT_TRUE(ranges.Get().empty());
+  ranges.Add(3, 4);
+  ranges.Add(7, 0);
+  ranges.Add(7, 2);
+  ranges.Add(10, 1);
+  ASSERT_EQ(ranges.Get().size(), 2u);
+  EXPECT_EQ(ranges.Get()[0].first, 3u);
+  EXPECT_EQ(ranges.Get()[0].count, 6u);
+  EXPECT_EQ(ranges.Get()[1].first, 10u);
 }
