@@ -1,10 +1,11 @@
 """What the depth map's filter "exact" costs over the plain one, and how wrong both are.
 
     PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a python3 Benchmark/exact_lookup.py
+    ... exact_lookup.py --scenes terrain,room,spots --cpu
 
-The three scenes of ground_floor.py, 1024x768, software OpenGL. Times are of whole frames, those of both filters and
+The three scenes of ground_floor.py, or of a terrain, a lamp in a closed room and eight spots, 1024x768, software OpenGL. Times are of whole frames, those of both filters and
 of the frame without shadows taken in turn; a ratio is the median of the turns' ratios. Static: the camera moves.
-Moving: every light moves each frame. A process's first frames are slower than later ones: they are not counted.
+Moving: every light moves each frame. A process's first frames are slower than later ones: they are not counted. With --cpu times are the processor's, of all threads.
 """
 import argparse
 import pathlib
@@ -13,10 +14,18 @@ import sys
 
 import vtkshadows
 from ground_floor import ROOT, scan, still_life, switched_on, timed, tubes_and_glyphs
+from map_costs import eight_spots, processor_time, room
+from terrain import look, terrain
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 FILTERS = ("percentage-closer", "exact")
 WARM_UP = 3  # rounds
+
+
+def country():
+    renderer, eye = terrain(4, 15)
+    look(renderer, eye, 60)
+    return renderer
 
 
 def passes(renderer, resolution):
@@ -29,7 +38,7 @@ def passes(renderer, resolution):
     return made
 
 
-def frame_times(renderer, window, ways, rounds):
+def frame_times(renderer, window, ways, rounds, take):
     """Milliseconds: {way: (static, moving)}, and of the frame without shadows."""
     camera = renderer.GetActiveCamera()
     lights = switched_on(renderer)
@@ -45,18 +54,18 @@ def frame_times(renderer, window, ways, rounds):
         renderer.SetPass(None)
         window.Render()  # the first frame of a pass looks shaders up
         camera.Azimuth(turn)
-        plain = timed(window)
+        plain = take(window)
         if i >= WARM_UP:
             unshadowed.append(plain)
         for name in list(ways) if i % 2 else reversed(list(ways)):
             renderer.SetPass(ways[name])
             window.Render()
             camera.Azimuth(turn / 4)
-            static = timed(window)
+            static = take(window)
             move_lights(0.002 * (i % 5) + 0.001)
             window.Render()
             move_lights(0.002 * (i % 5) + 0.002)
-            moving = timed(window)
+            moving = take(window)
             move_lights(0)
             if i >= WARM_UP:
                 times[name][0].append(static)
@@ -73,9 +82,13 @@ def main():
     parser.add_argument("--mesh", type=pathlib.Path, default=ROOT / "build/demo/refined_elephant.off")
     parser.add_argument("--resolution", type=int, default=2048)
     parser.add_argument("--rounds", type=int, default=30)
-    parser.add_argument("--scenes", default="still-life,scan,tubes-and-glyphs")
+    parser.add_argument("--scenes", default="still-life,scan,tubes-and-glyphs", help="of these, terrain, room and spots")
+    parser.add_argument("--cpu", action="store_true", help="processor time instead of the clock's")
     options = parser.parse_args()
     makers = {
+        "terrain": country,
+        "room": room,
+        "spots": eight_spots,
         "still-life": still_life,
         "scan": lambda: scan(options.mesh),
         "tubes-and-glyphs": tubes_and_glyphs,
@@ -104,7 +117,7 @@ def main():
                 measure = vtkshadows.vtkShadowErrorMeasure()
                 measure.Measure(renderer, light)
                 errors[name].append(measure)
-        unshadowed, times = frame_times(renderer, window, ways, options.rounds)
+        unshadowed, times = frame_times(renderer, window, ways, options.rounds, processor_time if options.cpu else timed)
         plain = times[FILTERS[0]]
         for name, (static, moving) in times.items():
             mismatch = ", ".join(f"{e.GetMismatchPercent():.4f}" for e in errors[name])

@@ -91,8 +91,8 @@ def terrain_scenes(options):
         yield Scene(f"terrain, {name}", renderer, move, ways)
 
 
-def room_scenes(options):
-    """Six maps of a lamp in a closed room over one of a spot, of as many texels each."""
+def room():
+    """Closed, with three balls and a lamp among them."""
     renderer = vtkRenderer()
     walls = vtkCubeSource()
     walls.SetBounds(-3, 3, -3, 3, 0, 4)
@@ -106,6 +106,12 @@ def room_scenes(options):
         renderer.AddActor(mesh_actor(ball, (0.8, 0.5, 0.3)))
     place_camera(renderer, (0, -2.8, 1.5), (0, 3, 1.5), 80)
     renderer.AddLight(lamp((0.2, 0.3, 2.1)))
+    return renderer
+
+
+def room_scenes(options):
+    """Six maps of a lamp in a closed room over one of a spot, of as many texels each."""
+    renderer = room()
     for texels in (1024, 2048):
         size = {"resolution": texels}
         ways = {
@@ -115,8 +121,7 @@ def room_scenes(options):
         yield Scene(f"closed room, {texels} texels", renderer, around(renderer), ways)
 
 
-def lights_scenes(options):
-    """Eight spots with shadows over the same eight without."""
+def eight_spots():
     renderer = still_life()
     renderer.RemoveAllLights()
     for i in range(8):
@@ -124,6 +129,12 @@ def lights_scenes(options):
         spot = spot_light((4 * math.cos(a), 4 * math.sin(a), 6), (0, 0, 0.4), 32)
         spot.SetIntensity(0.2)
         renderer.AddLight(spot)
+    return renderer
+
+
+def lights_scenes(options):
+    """Eight spots with shadows over the same eight without."""
+    renderer = eight_spots()
     ways = {"without shadows": Way("none"), "depth-map": Way()}
     yield Scene("still life, 8 spots", renderer, around(renderer), ways)
 

@@ -35,6 +35,14 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+// Passes may outlive Embree's globals: pvbatch destroys its views after them when a script ends by
+// sys.exit. This is destroyed before them, since this library needs theirs.
+bool EmbreeIsGone = false;
+struct TheEnd
+{
+  ~TheEnd() { EmbreeIsGone = true; }
+} theEnd;
+
 double SecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -267,6 +275,10 @@ public:
 
   ~Internals()
   {
+    if (EmbreeIsGone)
+    {
+      return; // with the process goes its memory
+    }
     if (this->Tree)
     {
       rtcReleaseScene(this->Tree);

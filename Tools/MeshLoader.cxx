@@ -17,6 +17,7 @@
 #include <vtkPLYReader.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
+#include <vtkVersionMacros.h>
 #include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
@@ -120,6 +121,25 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& path, Progress&
   return reader->GetOutputDataObject(0);
 }
 
+// VTK gave expat what follows the document's end, which expat takes no longer (VTK issue 19258).
+std::string AppendedDataRemedy(const std::string& path)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+  {
+    if (line.find("<AppendedData") != std::string::npos)
+    {
+      return "; VTK before 9.4 cannot read appended data by a recent expat: then write the file "
+             "with another data mode, ascii or binary";
+    }
+  }
+#else
+  (void)path;
+#endif
+  return "";
+}
+
 Mesh LoadMesh(const std::string& path, std::optional<double> isovalue, Progress& progress)
 {
   const std::string extension = ExtensionOf(path);
@@ -135,7 +155,7 @@ Mesh LoadMesh(const std::string& path, std::optional<double> isovalue, Progress&
   {
     throw Failure("input", path,
       "is no mesh that can be read as " + extension + (error.empty() ? "" : " (" + error + ")"),
-      "check that the file is whole and what its extension says");
+      "check that the file is whole and what its extension says" + AppendedDataRemedy(path));
   }
 
   progress.Begin("making the surface of " + path);

@@ -29,5 +29,6 @@ for degrees in (90, 75, 60, 45, 30, 15):
 
 writer = vtkXMLPolyDataWriter()
 writer.SetInputConnection(shadow.GetOutputPort())
+writer.SetDataModeToBinary()  # its default, appended data, VTK before 9.4 cannot read by a recent expat
 writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "shadow_outline.vtp")
 writer.Write()

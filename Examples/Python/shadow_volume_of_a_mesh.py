@@ -33,5 +33,6 @@ print(f"volume: {len(triangles)} triangles hold {(a * numpy.cross(b, c)).sum() /
 
 writer = vtkXMLPolyDataWriter()
 writer.SetInputConnection(volume.GetOutputPort())
+writer.SetDataModeToBinary()  # its default, appended data, VTK before 9.4 cannot read by a recent expat
 writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "shadow_volume.vtp")
 writer.Write()

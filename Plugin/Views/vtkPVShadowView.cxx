@@ -1,13 +1,36 @@
 #include "vtkPVShadowView.h"
 
 #include "vtkDepthShadowMapPass.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkObjectIDShadowPass.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkRenderer.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowTexturePass.h"
 
+#include <string>
+#include <vector>
+
 vtkStandardNewMacro(vtkPVShadowView);
+
+namespace
+{
+
+std::vector<vtkLight*> LightsOf(vtkRenderer* renderer)
+{
+  std::vector<vtkLight*> lights;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+}
 
 //----------------------------------------------------------------------------
 vtkPVShadowView::vtkPVShadowView()
@@ -25,6 +48,64 @@ void vtkPVShadowView::SetTechnique(const char* name)
   {
     this->Modified();
   }
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetMaximumError(double percent)
+{
+  this->Shadows->SetMaximumError(percent);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetMaximumFrameTime(double milliseconds)
+{
+  this->Shadows->SetMaximumFrameTime(milliseconds);
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+const char* vtkPVShadowView::GetExplanation()
+{
+  this->Explanation.clear();
+  int number = 0;
+  for (vtkLight* light : LightsOf(this->GetRenderer()))
+  {
+    ++number;
+    const std::string sentence = this->Shadows->GetExplanation(light);
+    if (!sentence.empty())
+    {
+      this->Explanation += (this->Explanation.empty() ? "light " : "\nlight ") +
+        std::to_string(number) + ": " + sentence;
+    }
+  }
+  return this->Explanation.c_str();
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetLightRadius(double radius)
+{
+  this->LightRadius = radius;
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+void vtkPVShadowView::SetShadowStrength(double strength)
+{
+  this->ShadowStrength = strength;
+  this->Modified();
+}
+
+//----------------------------------------------------------------------------
+// Lights come and go with the light kit and the user.
+void vtkPVShadowView::AboutToRenderOnLocalProcess(bool interactive)
+{
+  for (vtkLight* light : LightsOf(this->GetRenderer()))
+  {
+    this->Shadows->SetLightRadius(light, this->LightRadius);
+    this->Shadows->SetLightStrength(light, this->ShadowStrength);
+  }
+  this->Superclass::AboutToRenderOnLocalProcess(interactive);
 }
 
 //----------------------------------------------------------------------------

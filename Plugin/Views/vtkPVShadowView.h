@@ -17,6 +17,8 @@
 #include "vtkPVRenderView.h"
 #include "vtkShadowsPVViewsModule.h" // for export macro
 
+#include <string> // for the explanation
+
 class vtkShadowPass;
 
 class VTKSHADOWSPVVIEWS_EXPORT vtkPVShadowView : public vtkPVRenderView
@@ -32,6 +34,31 @@ public:
    * changes nothing.
    */
   void SetTechnique(const char* name);
+
+  ///@{
+  /**
+   * What the lights of "auto" may cost, percent and milliseconds; 0 (default): none grossly wrong,
+   * and any time. See vtkShadowPass::SetMaximumError. A bad value is an error and changes nothing.
+   */
+  void SetMaximumError(double percent);
+  void SetMaximumFrameTime(double milliseconds);
+  ///@}
+
+  /**
+   * Why each light has its technique, a line each by its number from 1 on, of the last frame that
+   * this process drew; empty before it. See vtkShadowPass::GetExplanation.
+   */
+  const char* GetExplanation();
+
+  ///@{
+  /**
+   * Of every light of the view, the light kit's too: its radius, 0 or more (default 0, hard
+   * shadows; see vtkShadowPass::SetLightRadius), and how strong its shadows are, 0 to 1 (default,
+   * no light where it is not seen).
+   */
+  void SetLightRadius(double radius);
+  void SetShadowStrength(double strength);
+  ///@}
 
   /**
    * Texels on the longer side of each depth map or shadow texture, 1 or more (default 2048).
@@ -83,11 +110,16 @@ protected:
   vtkPVShadowView();
   ~vtkPVShadowView() override;
 
+  void AboutToRenderOnLocalProcess(bool interactive) override;
+
 private:
   vtkPVShadowView(const vtkPVShadowView&) = delete;
   void operator=(const vtkPVShadowView&) = delete;
 
   vtkNew<vtkShadowPass> Shadows;
+  double LightRadius = 0.0;
+  double ShadowStrength = 1.0;
+  std::string Explanation;
 };
 
 #endif

@@ -32,6 +32,9 @@ class TestShadowView(unittest.TestCase):
         VIEW.TexturePerCaster = 0
         VIEW.TranslucentCasters = "None"
         VIEW.CullHiddenFaces = 0
+        VIEW.MaximumError = VIEW.MaximumFrameTime = 0
+        VIEW.LightRadius = 0
+        VIEW.ShadowStrength = 1
         VIEW.UseLight = 0
         VIEW.UseFXAA = 0
         self.light = add_light(VIEW)
@@ -85,7 +88,7 @@ class TestShadowView(unittest.TestCase):
     def test_filter(self):
         VIEW.Technique = "depth-map"
         default = screenshot(VIEW, "filter-percentage-closer")
-        for name in ("none", "hardware", "disc", "variance", "exponential"):
+        for name in ("none", "hardware", "disc", "variance", "exponential", "exact"):
             with self.subTest(filter=name):
                 VIEW.Filter = name
                 frame = screenshot(VIEW, f"filter-{name}")
@@ -93,6 +96,57 @@ class TestShadowView(unittest.TestCase):
                 different = int((frame != default).any(axis=2).sum())
                 print(f"pixels that {name} changes: got {different}, expected 1 or more")
                 self.assertGreaterEqual(different, 1)
+
+    def explanation(self):
+        VIEW.UpdatePropertyInformation()
+        said = VIEW.GetProperty("Explanation").GetElement(0)
+        print(said)
+        return said
+
+    def test_explanation_and_budget(self):
+        VIEW.Technique = "auto"
+        self.assert_shadow(screenshot(VIEW, "auto"), self.unshadowed)
+        said = self.explanation()
+        self.assertEqual(len(said.splitlines()), 1, "a line for the one light")
+        self.assertRegex(said, "^light 1: [a-z-]+ .*no gross error")
+        VIEW.MaximumError = 0.25
+        screenshot(VIEW, "auto-error")
+        self.assertIn("0.25 %", self.explanation())
+        VIEW.MaximumError, VIEW.MaximumFrameTime = 0, 12345
+        for _ in range(60):  # frames in which it tells what is fast
+            simple.Render(VIEW)
+        self.assertIn("within the 12345 ms", self.explanation())
+        other = simple.AddLight(VIEW)
+        other.Position, other.FocalPoint = (-1, 1, 1), (0, 0, 0)
+        try:
+            screenshot(VIEW, "auto-two")
+            self.assertEqual(len(self.explanation().splitlines()), 2, "a line a light")
+        finally:
+            simple.RemoveLight(other)
+
+    def test_light_radius(self):
+        """A disc whose half-angle has the tangent 0.2: from the sphere's height the edge is 0.3 times as wide and more."""
+        VIEW.LightRadius = 0.2
+        for technique in ("auto", "ray-cast", "stencil-volume"):
+            if technique not in (*TECHNIQUES, "auto"):
+                continue
+            VIEW.Technique = technique
+            frame = screenshot(VIEW, f"radius-{technique}")
+            self.assert_shadow(frame, self.unshadowed)
+            plane = (near(self.unshadowed, *LIT).max(), near(frame, *SHADOW).max())
+            half = ((frame.max(axis=2) < 0.9 * plane[0]) & (frame.max(axis=2) > 1.2 * plane[1] + 5)).sum()
+            print(f"{technique}: in half shadow: got {half} px, expected 1000 or more")
+            self.assertGreaterEqual(half, 1000)
+
+    def test_shadow_strength(self):
+        VIEW.Technique = "depth-map"
+        before = near(self.unshadowed, *SHADOW)
+        for strength in (0, 0.5):
+            VIEW.ShadowStrength = strength
+            got = near(screenshot(VIEW, f"strength-{strength}"), *SHADOW)
+            expected = (1 - strength) * before.max()
+            print(f"strength {strength}: got {got.min()} to {got.max()}, expected {expected}, tolerance 2")
+            self.assertLessEqual(abs(got - expected).max(), 2)
 
     def test_cascades(self):
         """Beside the eye they are finer than one map of as many texels."""

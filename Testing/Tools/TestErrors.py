@@ -1,6 +1,7 @@
 """Bad input: one line that names the thing and the remedy, a status that is not zero, nothing left."""
 
 import os
+import re
 
 from commandtest import check, command, enter_empty_folder, finish, tree, write_off, write_tetrahedron
 
@@ -66,6 +67,11 @@ refused_input(["line 4", "2 of 4 vertices"], "short.off")
 for extension in ["off", "ply", "stl", "vtp", "vtk", "gltf", "glb", "vti", "vtu"]:
     refused_input(["OFF" if extension == "off" else "." + extension], "prose." + extension)
 refused_input(["empty mesh"], "prose.obj")
+with open("appended.vtp", "w") as file:
+    file.write('<VTKFile type="PolyData">\n<AppendedData encoding="base64">_prose</VTKFile>\n')
+vtk = re.search(r"VTK (\d+)\.(\d+)", command("--version")[1])
+is_old = tuple(map(int, vtk.groups())) < (9, 4)
+refused_input(["check that the file is whole", "another data mode" if is_old else ".vtp"], "appended.vtp")
 refused(["--isovalue 7", "outside", "0 to 1"], "render", "flat.vti", *PICTURE, "--isovalue", 7)
 refused(["missing.ply"], "compare", "mesh.off", "missing.ply", "-o", "results")
 
