@@ -55,7 +55,8 @@ public:
    * - SOFT: soft shadows of a light with a radius: as wide as the similar triangles of its disc,
    *   what blocks it and the receiver ask for (Fernando 2005), for blockers in four slabs of depth
    * (Guennebaud et al. 2006; Kaplan and Meier 1958); FilterTaps taps to find them, and as many to
-   * filter. A light without a radius is filtered as by PERCENTAGE_CLOSER. On the faces of a cube no
+   * filter, up to half as many again and three times as many where the kernel is wider than 64
+   * texels. A light without a radius is filtered as by PERCENTAGE_CLOSER. On the faces of a cube no
    * kernel is wider than 1/16 of the resolution.
    * - SAMPLE_LIGHTS: a light with a radius is the mean over LightSamples lights on its disc, each
    * with maps of its own (Heckbert and Herf 1997); one without as by PERCENTAGE_CLOSER.
@@ -109,8 +110,8 @@ public:
 
   ///@{
   /**
-   * DISC, SOFT: taps of the kernel, 1 to 256 (default 32), each of four texels. Another value is an
-   * error and changes nothing.
+   * DISC, SOFT: taps of the kernel, 1 to 256 (default 32), each of four texels; of SOFT more where
+   * it is wide. Another value is an error and changes nothing.
    */
   void SetFilterTaps(int taps);
   vtkGetMacro(FilterTaps, int);

@@ -20,16 +20,22 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     return shadowDepthMapFourTexels(layer, vec3(shadowDepthMapWrapped(layer, p.xy), p.z), slope);
   }
 
+  // Much may lie in the cone of a wide light: then up to half as many taps again search, and up to three times as
+  // many tell.
+  float wide = clamp(reach / 64.0, 1.0, 3.0);
+  int searching = int(float(SHADOW_DEPTH_MAP_TAPS) * min(wide, 1.5));
+  int telling = int(float(SHADOW_DEPTH_MAP_TAPS) * wide);
   vec2 first = shadowDepthMapFirstTap(), way = first;
   vec2 texels = min(vec2(1.0 / view.w, view.w), 1.0); // for each of the lengths
   float texel = 1.0 / min(texels.x, texels.y);
   vec3 before = vec3(p.xy, p.z - shadowDepthMapSlack(slope, 0.5));
   vec2 plane = shadowDepthMapTilt(slope);
   vec4 nearest = vec4(1.0), farthest = vec4(0.0);
-  for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
+  for (int tap = 0; tap < searching; ++tap)
   {
-    // Spread evenly over radii, for the cone is thin where blockers are near.
-    float radius = reach * shadowDepthMapShare(tap);
+    // The farther in, the closer: the cone is thin where blockers are near.
+    float share = (float(tap) + 0.5) / float(searching);
+    float radius = reach * share * share;
     vec4 receiver;
     vec2 f;
     vec4 depth = shadowDepthMapAround(layer, before, plane, radius * way * texels, receiver, f);
@@ -49,23 +55,25 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
     return shadowDepthMapFourTexels(layer, vec3(shadowDepthMapWrapped(layer, p.xy), p.z), slope);
   }
 
-  // The cone's radius where the slabs end, and in their middles; the last reaches to the receiver.
+  // The cone's radius where the slabs end, and in their middles, each as many times the next one's; the last reaches
+  // to the receiver.
   float widest = clamp(view.x * (p.z - low), 0.5, view.y);
   float narrowest = clamp(view.x * (p.z - high), 0.5, view.y);
   const vec4 slabs = vec4(0.25, 0.5, 0.75, 1.0);
-  vec4 ends = mix(vec4(widest), vec4(narrowest), slabs);
-  vec4 middles = mix(vec4(widest), vec4(narrowest), slabs - 0.125);
+  vec4 ends = widest * pow(vec4(narrowest / widest), slabs);
+  vec4 middles = widest * pow(vec4(narrowest / widest), slabs - 0.125);
   ends.w = 0.0;
 
-  // Taps are spread evenly over the area where all slabs are alike, else towards radii, each with its ring's weight.
+  // Taps are spread evenly over the area where all slabs are alike, else the closer the farther in, each with its
+  // ring's weight.
   float alike = narrowest / widest;
   vec4 blocked = vec4(0.0), open = vec4(0.0);
   way = first;
-  for (int tap = 0; tap < SHADOW_DEPTH_MAP_TAPS; ++tap)
+  for (int tap = 0; tap < telling; ++tap)
   {
-    float share = shadowDepthMapShare(tap), root = sqrt(share);
-    float radius = mix(share, root, alike);
-    float weight = radius * mix(1.0, 0.5 / root, alike);
+    float share = (float(tap) + 0.5) / float(telling), root = sqrt(share);
+    float radius = mix(share * share, root, alike);
+    float weight = radius * mix(2.0 * share, 0.5 / root, alike);
     radius *= widest;
     vec4 receiver;
     vec2 f;

@@ -143,7 +143,8 @@ def enable(
         casters' triangles, not of texels); see vtkDepthShadowMapPass::FilterType.
     filter_radius : filters "disc", "variance" and "exponential": radius of the kernel in texels, 0.5 to 64
         (3).
-    filter_taps : filters "disc" and "soft": taps of the kernel, 1 to 256 (32).
+    filter_taps : filters "disc" and "soft": taps of the kernel, 1 to 256 (32); "soft" takes up to three times as
+        many where the kernel is wide.
     depth_bits : depth-map: bits of a map's depths: 32 (default), 24, 16 or 8.
     bias : depth-map: "automatic" (default), or, to compare, (constant, slope) as glPolygonOffset has them:
         steps of the map's format, and shares of the receiver's slope.

@@ -266,6 +266,12 @@ TEST_F(Auto, MovingLight)
       this->CheckMeasure("moving: " + before, this->Sun, 0.5, 0.001);
     }
   }
+  // A machine with much else to do draws a strange frame now and then, which begins the trials anew.
+  for (int i = 0; i < 180 && !this->Shadows->GetChoiceIsSettled(); ++i)
+  {
+    this->Sun->SetPosition(0.19 + 0.01 * (i % 2), -0.3, 1.0);
+    this->Render();
+  }
   EXPECT_TRUE(this->Shadows->GetChoiceIsSettled());
   // Three ways are timed twice each, and then one is taken.
   CheckAtMost("changes of technique in 60 frames", changes, 7.0);

@@ -125,8 +125,8 @@ class TestShadowView(unittest.TestCase):
             simple.RemoveLight(other)
 
     def test_light_radius(self):
-        """A disc whose half-angle has the tangent 0.2: from the sphere's height the edge is 0.3 times as wide and more."""
-        VIEW.LightRadius = 0.2
+        """A disc whose half-angle has the tangent 0.1: half shadow reaches 0.26 to both sides of the edge."""
+        VIEW.LightRadius = 0.1
         for technique in ("auto", "ray-cast", "stencil-volume"):
             if technique not in (*TECHNIQUES, "auto"):
                 continue
