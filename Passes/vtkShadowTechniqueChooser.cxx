@@ -386,6 +386,7 @@ std::vector<std::string> vtkShadowTechniqueChooser::Choose(const Request& reques
 void vtkShadowTechniqueChooser::FrameDrawn(std::optional<double> seconds)
 {
   this->FrameSeconds = vtkShadowSeconds() - this->FrameStart;
+  this->WasDrawnSettled = this->Trials().IsSettled(); // else it was one that is timed
   if (this->IsChosen && !this->Holds && this->WasJustMoved == this->IsMoving)
   {
     // A measure disturbs what is timed after it, too: caches, and the driver's queue.

@@ -65,9 +65,11 @@ public:
   double SecondsMeasuring() const { return this->MeasuringSeconds; } // in the last Choose
   // Whether a choice that is made already, for lights that stand or that move, has a technique.
   bool MayUse(const std::string& technique) const;
+  // The last frame was drawn by what is chosen, and so is the next.
   bool IsSettled() const
   {
-    return !this->IsChosen || (!this->MeasuresWait && this->Trials().IsSettled());
+    return !this->IsChosen ||
+      (!this->MeasuresWait && this->WasDrawnSettled && this->Trials().IsSettled());
   }
 
   // Why the light has what it has; empty if it was given none.
@@ -164,6 +166,7 @@ private:
   std::map<const vtkLight*, Place> LastDrawn;
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
   bool IsChosen = false;
+  bool WasDrawnSettled = false; // the last frame
   bool MeasuresWait = false; // for the next frames, of settings that nothing is known of
   std::size_t Drawn = 0;     // among the ways: the last Choose's
   std::vector<Setting> LastSettings;

@@ -367,7 +367,6 @@ void Stage::SettleChoice()
     this->window.Render();
     if (this->shadows->GetChoiceIsSettled())
     {
-      this->window.Render(); // by what was chosen
       return;
     }
   }

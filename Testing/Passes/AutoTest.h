@@ -44,7 +44,6 @@ protected:
       ++frames;
     } while (!this->Shadows->GetChoiceIsSettled() && frames < most);
     EXPECT_TRUE(this->Shadows->GetChoiceIsSettled()) << "in " << frames << " frames";
-    this->Render(); // by what was chosen
     return frames;
   }
 

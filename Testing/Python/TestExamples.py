@@ -25,8 +25,10 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     SOFT_EXAMPLE,
     IMAGE_EXAMPLE,
     TRANSLUCENT_EXAMPLE,
-) = sys.argv[1:14]
-FOLDER = pathlib.Path(sys.argv[14])
+    CHOICE_EXAMPLE,
+    FILTERS_EXAMPLE,
+) = sys.argv[1:16]
+FOLDER = pathlib.Path(sys.argv[16])
 
 
 def read_png(path):
@@ -208,6 +210,38 @@ class TestExamples(unittest.TestCase):
         half, quarter = (float(re.search(rf"{share}: ([\d.]+) %", done.stdout)[1]) for share in ("0.5", "0.25"))
         print(f"half: got {half} %, expected 1 to 20; a quarter: got {quarter} %, expected 0.5 to 20")
         self.assertTrue(1 < half < 20 and 0.5 < quarter < 20)
+        self.assertEqual(read_png(file).shape[:2], (480, 640))
+
+    def test_choice(self):
+        """Each budget is kept to, and the picture is by the fastest that the explanation names."""
+        file = FOLDER / "choice.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, CHOICE_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        errors = [float(share) for share in re.findall(r": ([\d.]+) % are wrong", done.stdout)]
+        print(f"errors: got {errors}, expected at most 2, 0.005 and the second")
+        self.assertEqual(len(errors), 3)
+        self.assertTrue(errors[0] <= 2 and errors[1] <= 0.005 and errors[2] <= errors[1])
+        sentences = [line for line in done.stdout.splitlines() if line.startswith("  ")]
+        for sentence in sentences[:2]:
+            taken = float(re.search(r"([\d.]+) ms a frame", sentence)[1])
+            others = [float(time) for time in re.findall(r"takes ([\d.]+) ms", sentence)]
+            print(f"it takes {taken} ms, others {others}: expected no more than the least and 6 % of it")
+            self.assertLessEqual(taken, 1.06 * min(others, default=taken))
+        self.assertIn("within the 10000 ms", sentences[2])
+        self.assertEqual(read_png(file).shape[:2], (480, 640))
+
+    def test_depth_map_filters(self):
+        file = FOLDER / "depth_map_filters.png"
+        file.unlink(missing_ok=True)
+        done = run(sys.executable, FILTERS_EXAMPLE, str(FOLDER))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        wrong = {name: float(share) for name, share in re.findall(r"(.+): ([\d.]+) % are wrong", done.stdout)}
+        print(f"wrong: got {wrong}, expected a third of any other at most by exact, acne without a bias")
+        self.assertEqual(len(wrong), 8)
+        exact, acne = wrong.pop("exact"), wrong.pop("bias of the user's, none")
+        self.assertLessEqual(3 * exact, min(wrong.values()))
+        self.assertGreater(acne, 10 * max(wrong.values()))
         self.assertEqual(read_png(file).shape[:2], (480, 640))
 
 
