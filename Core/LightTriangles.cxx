@@ -2,8 +2,6 @@
 
 #include "Parallel.h"
 
-#include <algorithm>
-
 namespace vtkshadows
 {
 namespace

@@ -132,8 +132,8 @@ public:
   ///@{
   /**
    * Of the last frame: why a light has its technique, in a sentence that names it first; the
-   * technique itself, "none" if it has none; and whether it was drawn by what is chosen, and no more
-   * frames are drawn to tell the fastest.
+   * technique itself, "none" if it has none; and whether it was drawn by what is chosen, and no
+   * more frames are drawn to tell the fastest.
    */
   std::string GetExplanation(vtkLight* light) const;
   std::string GetChosenTechnique(vtkLight* light) const;

@@ -10,6 +10,7 @@
 #include "vtkShadowPass.h"
 #include "vtkShadowTexturePass.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,11 @@ const char* vtkPVShadowView::GetExplanation()
 //----------------------------------------------------------------------------
 void vtkPVShadowView::SetLightRadius(double radius)
 {
+  if (!std::isfinite(radius) || radius < 0.0)
+  {
+    vtkErrorMacro("LightRadius " << radius << ": give 0 or more; it stays " << this->LightRadius);
+    return;
+  }
   this->LightRadius = radius;
   this->Modified();
 }
@@ -92,6 +98,12 @@ void vtkPVShadowView::SetLightRadius(double radius)
 //----------------------------------------------------------------------------
 void vtkPVShadowView::SetShadowStrength(double strength)
 {
+  if (!(strength >= 0.0 && strength <= 1.0))
+  {
+    vtkErrorMacro(
+      "ShadowStrength " << strength << ": give 0 to 1; it stays " << this->ShadowStrength);
+    return;
+  }
   this->ShadowStrength = strength;
   this->Modified();
 }
@@ -102,8 +114,14 @@ void vtkPVShadowView::AboutToRenderOnLocalProcess(bool interactive)
 {
   for (vtkLight* light : LightsOf(this->GetRenderer()))
   {
-    this->Shadows->SetLightRadius(light, this->LightRadius);
-    this->Shadows->SetLightStrength(light, this->ShadowStrength);
+    if (this->Shadows->GetLightRadius(light) != this->LightRadius)
+    {
+      this->Shadows->SetLightRadius(light, this->LightRadius);
+    }
+    if (this->Shadows->GetLightStrength(light) != this->ShadowStrength)
+    {
+      this->Shadows->SetLightStrength(light, this->ShadowStrength);
+    }
   }
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
 }

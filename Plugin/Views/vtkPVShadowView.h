@@ -54,7 +54,7 @@ public:
   /**
    * Of every light of the view, the light kit's too: its radius, 0 or more (default 0, hard
    * shadows; see vtkShadowPass::SetLightRadius), and how strong its shadows are, 0 to 1 (default,
-   * no light where it is not seen).
+   * no light where it is not seen). Another value is an error and changes nothing.
    */
   void SetLightRadius(double radius);
   void SetShadowStrength(double strength);

@@ -266,7 +266,8 @@ TEST_F(Auto, MovingLight)
       this->CheckMeasure("moving: " + before, this->Sun, 0.5, 0.001);
     }
   }
-  // A machine with much else to do draws a strange frame now and then, which begins the trials anew.
+  // A machine with much else to do draws a strange frame now and then, which begins the trials
+  // anew.
   for (int i = 0; i < 180 && !this->Shadows->GetChoiceIsSettled(); ++i)
   {
     this->Sun->SetPosition(0.19 + 0.01 * (i % 2), -0.3, 1.0);

@@ -148,6 +148,19 @@ class TestShadowView(unittest.TestCase):
             print(f"strength {strength}: got {got.min()} to {got.max()}, expected {expected}, tolerance 2")
             self.assertLessEqual(abs(got - expected).max(), 2)
 
+    def test_bad_values_change_nothing(self):
+        VIEW.Technique = "ray-cast" if "ray-cast" in TECHNIQUES else "stencil-volume"
+        before = screenshot(VIEW, "good-values")
+        said = []
+        observer = VIEW.GetClientSideObject().AddObserver("ErrorEvent", lambda *_: said.append(1))
+        VIEW.LightRadius = -1
+        VIEW.ShadowStrength = 2
+        after = screenshot(VIEW, "bad-values")
+        VIEW.GetClientSideObject().RemoveObserver(observer)
+        different = int((before != after).any(axis=2).sum())
+        print(f"errors: got {len(said)}, expected 2; pixels that differ: got {different}, expected 0, tolerance 0")
+        self.assertEqual((len(said), different), (2, 0))
+
     def test_cascades(self):
         """Beside the eye they are finer than one map of as many texels."""
         place = [list(each) for each in (VIEW.CameraPosition, VIEW.CameraFocalPoint, VIEW.CameraViewUp)]
