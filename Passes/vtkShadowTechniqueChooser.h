@@ -167,8 +167,8 @@ private:
   std::map<std::string, std::vector<Verdict>> Verdicts; // by setting, one a light
   bool IsChosen = false;
   bool WasDrawnSettled = false; // the last frame
-  bool MeasuresWait = false; // for the next frames, of settings that nothing is known of
-  std::size_t Drawn = 0;     // among the ways: the last Choose's
+  bool MeasuresWait = false;    // for the next frames, of settings that nothing is known of
+  std::size_t Drawn = 0;        // among the ways: the last Choose's
   std::vector<Setting> LastSettings;
   bool Holds = false;
   std::map<const vtkLight*, Setting> InUse; // the same, by light
