@@ -3,9 +3,10 @@
     PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a python3 Benchmark/exact_lookup.py
     ... exact_lookup.py --scenes terrain,room,spots --cpu
 
-The three scenes of ground_floor.py, or of a terrain, a lamp in a closed room and eight spots, 1024x768, software OpenGL. Times are of whole frames, those of both filters and
-of the frame without shadows taken in turn; a ratio is the median of the turns' ratios. Static: the camera moves.
-Moving: every light moves each frame. A process's first frames are slower than later ones: they are not counted. With --cpu times are the processor's, of all threads.
+The three scenes of ground_floor.py, or a terrain, a lamp in a closed room and eight spots, 1024x768, software OpenGL.
+Times are of whole frames, those of both filters and of the frame without shadows taken in turn; a ratio is the median
+of the turns' ratios. Static: the camera moves. Moving: every light moves each frame. A process's first frames are slower
+than later ones: they are not counted. With --cpu times are the processor's, of all threads.
 """
 import argparse
 import pathlib
@@ -86,12 +87,12 @@ def main():
     parser.add_argument("--cpu", action="store_true", help="processor time instead of the clock's")
     options = parser.parse_args()
     makers = {
-        "terrain": country,
-        "room": room,
-        "spots": eight_spots,
         "still-life": still_life,
         "scan": lambda: scan(options.mesh),
         "tubes-and-glyphs": tubes_and_glyphs,
+        "terrain": country,
+        "room": room,
+        "spots": eight_spots,
     }
     if "scan" in options.scenes and not options.mesh.exists():
         sys.exit(f"--mesh {options.mesh}: no such file; run Scripts/demo, which unpacks it, or name a mesh")
@@ -117,7 +118,8 @@ def main():
                 measure = vtkshadows.vtkShadowErrorMeasure()
                 measure.Measure(renderer, light)
                 errors[name].append(measure)
-        unshadowed, times = frame_times(renderer, window, ways, options.rounds, processor_time if options.cpu else timed)
+        take = processor_time if options.cpu else timed
+        unshadowed, times = frame_times(renderer, window, ways, options.rounds, take)
         plain = times[FILTERS[0]]
         for name, (static, moving) in times.items():
             mismatch = ", ".join(f"{e.GetMismatchPercent():.4f}" for e in errors[name])

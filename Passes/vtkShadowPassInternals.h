@@ -179,6 +179,16 @@ public:
     return {};
   }
 
+  // False if it has that value already.
+  bool Change(vtkLight* light, double vtkShadowLightSettings::*setting, double value)
+  {
+    if (this->SettingsOf(light).*setting == value)
+    {
+      return false;
+    }
+    this->EditSettings(light).*setting = value;
+    return true;
+  }
   vtkShadowLightSettings& EditSettings(vtkLight* light)
   {
     // Lights that are gone take their settings with them.

@@ -53,8 +53,11 @@ void vtkShadowPass::SetLightStrength(vtkLight* light, double strength)
       "SetLightStrength(" << light << ", " << strength << "): give a vtkLight and 0 to 1.");
     return;
   }
-  this->Internal->EditSettings(light).Strength = std::min(std::max(strength, 0.0), 1.0);
-  this->Modified();
+  if (this->Internal->Change(
+        light, &vtkShadowLightSettings::Strength, std::min(std::max(strength, 0.0), 1.0)))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -72,8 +75,10 @@ void vtkShadowPass::SetLightRadius(vtkLight* light, double radius)
       "SetLightRadius(" << light << ", " << radius << "): give a vtkLight and 0 or more.");
     return;
   }
-  this->Internal->EditSettings(light).Radius = radius;
-  this->Modified();
+  if (this->Internal->Change(light, &vtkShadowLightSettings::Radius, radius))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -92,8 +97,10 @@ void vtkShadowPass::SetLightMaximumDistance(vtkLight* light, double distance)
       << "): give a vtkLight and a distance in world units, or 0 for no limit.");
     return;
   }
-  this->Internal->EditSettings(light).MaximumDistance = distance;
-  this->Modified();
+  if (this->Internal->Change(light, &vtkShadowLightSettings::MaximumDistance, distance))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -111,8 +118,10 @@ void vtkShadowPass::SetLightFade(vtkLight* light, double fade)
                                   << "): give a vtkLight and a share of its distance, 0 to 1.");
     return;
   }
-  this->Internal->EditSettings(light).Fade = fade;
-  this->Modified();
+  if (this->Internal->Change(light, &vtkShadowLightSettings::Fade, fade))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -138,8 +147,10 @@ void vtkShadowPass::SetLightSmoothCone(vtkLight* light, double share)
                                            "cone angle above 0 and below 90 degrees.");
     return;
   }
-  this->Internal->EditSettings(light).SmoothCone = share;
-  this->Modified();
+  if (this->Internal->Change(light, &vtkShadowLightSettings::SmoothCone, share))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -298,7 +298,7 @@ std::vector<std::size_t> vtkShadowTriangleMaps::PlainCasters(const vtkShadowMapV
 {
   std::vector<std::size_t> plain;
   std::copy_if(view.Casters.begin(), view.Casters.end(), std::back_inserter(plain),
-    [this](std::size_t prop) { return this->DrawnHere[prop] == 0; });
+    [this](std::size_t prop) { return this->IsPlain(prop); });
   return plain;
 }
 
@@ -307,7 +307,11 @@ bool vtkShadowTriangleMaps::HasPlainCasters(const vtkShadowMapViews& views) cons
   for (const vtkShadowMapSlot& slot : views.GetSlots())
   {
     if (std::any_of(slot.Views.begin(), slot.Views.end(),
-          [this](const vtkShadowMapView& view) { return !this->PlainCasters(view).empty(); }))
+          [this](const vtkShadowMapView& view)
+          {
+            return std::any_of(view.Casters.begin(), view.Casters.end(),
+              [this](std::size_t prop) { return this->IsPlain(prop); });
+          }))
     {
       return true;
     }

@@ -99,6 +99,7 @@ private:
     const vtkShadowMapSlot& slot, const vtkShadowScene::Piece& piece, Caster& caster);
   double ExpectedOf(const vtkShadowScene::Prop& prop);
   bool IsTriangles(const vtkShadowScene::Prop& prop);
+  bool IsPlain(std::size_t prop) const { return this->DrawnHere[prop] == 0; }
   bool HasPlainCasters(const vtkShadowMapViews& views) const;
   void UpdatePart(const vtkShadowFrame& frame, const vtkShadowMapViews& views,
     const vtkShadowMapSlot& slot, Part& part);

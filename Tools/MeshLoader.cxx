@@ -124,6 +124,10 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& path, Progress&
 // VTK gave expat what follows the document's end, which expat takes no longer (VTK issue 19258).
 std::string AppendedDataRemedy(const std::string& path)
 {
+  if (Readers().at(ExtensionOf(path)) != MakeReader<vtkXMLGenericDataObjectReader>)
+  {
+    return "";
+  }
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);)
@@ -134,8 +138,6 @@ std::string AppendedDataRemedy(const std::string& path)
              "with another data mode, ascii or binary";
     }
   }
-#else
-  (void)path;
 #endif
   return "";
 }

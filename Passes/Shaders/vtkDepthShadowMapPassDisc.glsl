@@ -9,7 +9,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   {
     vec4 receiver;
     vec2 f;
-    vec2 offset = SHADOW_DEPTH_MAP_RADIUS * sqrt(shadowDepthMapShare(tap)) * way;
+    vec2 offset = SHADOW_DEPTH_MAP_RADIUS * sqrt(shadowDepthMapShare(tap, SHADOW_DEPTH_MAP_TAPS)) * way;
     vec4 depth = shadowDepthMapAround(layer, p, plane, offset, receiver, f);
     vec4 lit = step(min(receiver, 1.0), depth);
     sum += shadowDepthMapBlend(lit, f);

@@ -8,10 +8,10 @@ vec2 shadowDepthMapFirstTap()
   return vec2(cos(angle), sin(angle));
 }
 
-// The share of taps within tap number `tap`.
-float shadowDepthMapShare(int tap)
+// The share of so many taps within tap number `tap`.
+float shadowDepthMapShare(int tap, int taps)
 {
-  return (float(tap) + 0.5) / float(SHADOW_DEPTH_MAP_TAPS);
+  return (float(tap) + 0.5) / float(taps);
 }
 
 // Depths around p.xy + offset, and the receiver's plane at their centres; the weights' share f.

@@ -34,7 +34,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   for (int tap = 0; tap < searching; ++tap)
   {
     // The farther in, the closer: the cone is thin where blockers are near.
-    float share = (float(tap) + 0.5) / float(searching);
+    float share = shadowDepthMapShare(tap, searching);
     float radius = reach * share * share;
     vec4 receiver;
     vec2 f;
@@ -71,7 +71,7 @@ float shadowDepthMapCompare(int layer, vec3 p, vec2 slope)
   way = first;
   for (int tap = 0; tap < telling; ++tap)
   {
-    float share = (float(tap) + 0.5) / float(telling), root = sqrt(share);
+    float share = shadowDepthMapShare(tap, telling), root = sqrt(share);
     float radius = mix(share * share, root, alike);
     float weight = radius * mix(2.0 * share, 0.5 / root, alike);
     radius *= widest;

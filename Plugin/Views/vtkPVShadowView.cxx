@@ -114,14 +114,8 @@ void vtkPVShadowView::AboutToRenderOnLocalProcess(bool interactive)
 {
   for (vtkLight* light : LightsOf(this->GetRenderer()))
   {
-    if (this->Shadows->GetLightRadius(light) != this->LightRadius)
-    {
-      this->Shadows->SetLightRadius(light, this->LightRadius);
-    }
-    if (this->Shadows->GetLightStrength(light) != this->ShadowStrength)
-    {
-      this->Shadows->SetLightStrength(light, this->ShadowStrength);
-    }
+    this->Shadows->SetLightRadius(light, this->LightRadius);
+    this->Shadows->SetLightStrength(light, this->ShadowStrength);
   }
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
 }

@@ -47,6 +47,14 @@ def run(*command):
 
 
 class TestExamples(unittest.TestCase):
+    def said_by(self, example, files, *arguments):
+        """What an example prints that writes the files."""
+        for file in files:
+            file.unlink(missing_ok=True)
+        done = run(sys.executable, example, *map(str, arguments))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
     def test_both(self):
         pictures = [FOLDER / "first_shadow.png", FOLDER / "FirstShadow.png"]
         commands = [[sys.executable, PYTHON_EXAMPLE], [CXX_EXAMPLE]]
@@ -65,11 +73,9 @@ class TestExamples(unittest.TestCase):
 
     def test_volume(self):
         file = FOLDER / "shadow_volume.vtp"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, VOLUME_EXAMPLE, str(file))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"^silhouette: \d+ edges, length [\d.]+\nvolume: \d+ triangles")
-        count = int(re.search(r"volume: (\d+) triangles", done.stdout)[1])
+        said = self.said_by(VOLUME_EXAMPLE, [file], file)
+        self.assertRegex(said, r"^silhouette: \d+ edges, length [\d.]+\nvolume: \d+ triangles")
+        count = int(re.search(r"volume: (\d+) triangles", said)[1])
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(str(file))
         reader.Update()
@@ -78,10 +84,8 @@ class TestExamples(unittest.TestCase):
 
     def test_area(self):
         file = FOLDER / "shadow_outline.vtp"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, AREA_EXAMPLE, str(file))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        areas = [float(area) for area in re.findall(r"shadow ([\d.]+)", done.stdout)]
+        said = self.said_by(AREA_EXAMPLE, [file], file)
+        areas = [float(area) for area in re.findall(r"shadow ([\d.]+)", said)]
         print(f"areas: got {areas}, expected 6 that grow as the sun sinks")
         self.assertEqual(len(areas), 6)
         self.assertEqual(areas, sorted(areas))
@@ -93,11 +97,8 @@ class TestExamples(unittest.TestCase):
 
     def test_stencil_volumes(self):
         files = [FOLDER / "stencil_volumes.png", FOLDER / "stencil_volumes-explained.png"]
-        for file in files:
-            file.unlink(missing_ok=True)
-        done = run(sys.executable, STENCIL_EXAMPLE, *map(str, files))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        layers = int(re.fullmatch(r"most layers over a pixel: (\d+)\n", done.stdout)[1])
+        said = self.said_by(STENCIL_EXAMPLE, files, *files)
+        layers = int(re.fullmatch(r"most layers over a pixel: (\d+)\n", said)[1])
         print(f"layers: got {layers}, expected 2 or more: the strip crosses over itself")
         self.assertGreaterEqual(layers, 2)
         plain, explained = map(read_png, files)
@@ -107,9 +108,7 @@ class TestExamples(unittest.TestCase):
 
     def test_figure_on_a_page(self):
         file = FOLDER / "figure_on_a_page.png"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, PAGE_EXAMPLE, str(file))
-        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", ""))
+        self.assertEqual(self.said_by(PAGE_EXAMPLE, [file], file), "")
         alpha = read_png(file)[..., 3]
         shares = [100 * float(part.mean()) for part in (alpha == 0, alpha % 255 > 0, alpha == 255)]
         print(f"transparent, shadow, figure: got {shares} %, expected 50, 3 and 10 or more")
@@ -117,12 +116,9 @@ class TestExamples(unittest.TestCase):
 
     def test_planar_shadows(self):
         files = [FOLDER / "planar_shadows.png", FOLDER / "planar_shadows_texture.png"]
-        for file in files:
-            file.unlink(missing_ok=True)
-        done = run(sys.executable, PLANAR_EXAMPLE, str(FOLDER))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        hard = float(re.search(r"hard: ([\d.]+) %", done.stdout)[1])
-        soft = [float(mean) for mean in re.findall(r": ([\d.]+) from the truth", done.stdout)]
+        said = self.said_by(PLANAR_EXAMPLE, files, FOLDER)
+        hard = float(re.search(r"hard: ([\d.]+) %", said)[1])
+        soft = [float(mean) for mean in re.findall(r": ([\d.]+) from the truth", said)]
         print(f"errors: got {hard} % and {soft}, expected at most 0.05 % and three, the last at most 0.01")
         self.assertLessEqual(hard, 0.05)
         self.assertEqual(len(soft), 3)
@@ -135,11 +131,8 @@ class TestExamples(unittest.TestCase):
 
     def test_object_ids(self):
         files = [FOLDER / "object_ids.png", FOLDER / "object_ids-alone.png"]
-        for file in files:
-            file.unlink(missing_ok=True)
-        done = run(sys.executable, OBJECT_EXAMPLE, *map(str, files))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        rows = re.findall(r"(\w+), depths (\w+): +([\d.]+) % in shadow", done.stdout)
+        said = self.said_by(OBJECT_EXAMPLE, files, *files)
+        rows = re.findall(r"(\w+), depths (\w+): +([\d.]+) % in shadow", said)
         shares = [float(share) for *_, share in rows]
         # IDs alone do not darken the sides that turn from the light: they are dark already.
         print(f"in shadow: got {shares} %, expected 5 and more, then four fifths of it, then nothing")
@@ -154,12 +147,10 @@ class TestExamples(unittest.TestCase):
 
     def test_shadow_texture(self):
         file = FOLDER / "shadow_texture.png"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, TEXTURE_EXAMPLE, str(file))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("Nothing shadows itself", done.stdout)
-        hard = float(re.search(r"hard: ([\d.]+) %", done.stdout)[1])
-        soft = float(re.search(r"soft: ([\d.]+) from", done.stdout)[1])
+        said = self.said_by(TEXTURE_EXAMPLE, [file], file)
+        self.assertIn("Nothing shadows itself", said)
+        hard = float(re.search(r"hard: ([\d.]+) %", said)[1])
+        soft = float(re.search(r"soft: ([\d.]+) from", said)[1])
         print(f"errors: got {hard} % and {soft}, expected at most 0.05 % and 0.004")
         self.assertLessEqual(hard, 0.05)
         self.assertLessEqual(soft, 0.004)
@@ -167,11 +158,8 @@ class TestExamples(unittest.TestCase):
 
     def test_cascades(self):
         files = [FOLDER / "cascades.png", FOLDER / "cascades_explained.png"]
-        for file in files:
-            file.unlink(missing_ok=True)
-        done = run(sys.executable, CASCADES_EXAMPLE, str(FOLDER))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        one, four = (float(share) for share in re.findall(r": ([\d.]+) %", done.stdout))
+        said = self.said_by(CASCADES_EXAMPLE, files, FOLDER)
+        one, four = (float(share) for share in re.findall(r": ([\d.]+) %", said))
         print(f"wrong: got {one} and {four} %, expected at most a third of the first")
         self.assertLess(3 * four, one)
         plain, explained = map(read_png, files)
@@ -181,20 +169,16 @@ class TestExamples(unittest.TestCase):
 
     def test_soft_shadows(self):
         picture = FOLDER / "soft_shadows.png"
-        picture.unlink(missing_ok=True)
-        done = run(sys.executable, SOFT_EXAMPLE, str(FOLDER))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        hard, sampled, soft = (float(mean) for mean in re.findall(r": ([\d.]+) from the truth", done.stdout))
+        said = self.said_by(SOFT_EXAMPLE, [picture], FOLDER)
+        hard, sampled, soft = (float(mean) for mean in re.findall(r": ([\d.]+) from the truth", said))
         print(f"errors: got {hard}, {sampled} and {soft}, expected the second and third at most half of the first")
         self.assertLessEqual(max(sampled, soft), hard / 2)
         self.assertEqual(read_png(picture).shape[:2], (480, 640))
 
     def test_projected_texture(self):
         file = FOLDER / "projected_texture.png"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, IMAGE_EXAMPLE, str(file))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        share = float(re.search(r"cone: ([\d.]+) %", done.stdout)[1])
+        said = self.said_by(IMAGE_EXAMPLE, [file], file)
+        share = float(re.search(r"cone: ([\d.]+) %", said)[1])
         picture = read_png(file).astype(int)
         warm = int((picture[..., 0] > picture[..., 2] + 30).sum())
         print(f"in shadow: got {share} %, expected 1 to 20; pixels lit through panes: got {warm}, expected 5000 or more")
@@ -204,10 +188,8 @@ class TestExamples(unittest.TestCase):
     def test_translucent_casters(self):
         """One pane halves the light, two leave a quarter; there is no grain between."""
         file = FOLDER / "translucent_casters.png"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, TRANSLUCENT_EXAMPLE, str(FOLDER))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        half, quarter = (float(re.search(rf"{share}: ([\d.]+) %", done.stdout)[1]) for share in ("0.5", "0.25"))
+        said = self.said_by(TRANSLUCENT_EXAMPLE, [file], FOLDER)
+        half, quarter = (float(re.search(rf"{share}: ([\d.]+) %", said)[1]) for share in ("0.5", "0.25"))
         print(f"half: got {half} %, expected 1 to 20; a quarter: got {quarter} %, expected 0.5 to 20")
         self.assertTrue(1 < half < 20 and 0.5 < quarter < 20)
         self.assertEqual(read_png(file).shape[:2], (480, 640))
@@ -215,14 +197,12 @@ class TestExamples(unittest.TestCase):
     def test_choice(self):
         """Each budget is kept to, and the picture is by the fastest that the explanation names."""
         file = FOLDER / "choice.png"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, CHOICE_EXAMPLE, str(FOLDER))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        errors = [float(share) for share in re.findall(r": ([\d.]+) % are wrong", done.stdout)]
+        said = self.said_by(CHOICE_EXAMPLE, [file], FOLDER)
+        errors = [float(share) for share in re.findall(r": ([\d.]+) % are wrong", said)]
         print(f"errors: got {errors}, expected at most 2, 0.005 and the second")
         self.assertEqual(len(errors), 3)
         self.assertTrue(errors[0] <= 2 and errors[1] <= 0.005 and errors[2] <= errors[1])
-        sentences = [line for line in done.stdout.splitlines() if line.startswith("  ")]
+        sentences = [line for line in said.splitlines() if line.startswith("  ")]
         for sentence in sentences[:2]:
             taken = float(re.search(r"([\d.]+) ms a frame", sentence)[1])
             others = [float(time) for time in re.findall(r"takes ([\d.]+) ms", sentence)]
@@ -233,10 +213,8 @@ class TestExamples(unittest.TestCase):
 
     def test_depth_map_filters(self):
         file = FOLDER / "depth_map_filters.png"
-        file.unlink(missing_ok=True)
-        done = run(sys.executable, FILTERS_EXAMPLE, str(FOLDER))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        wrong = {name: float(share) for name, share in re.findall(r"(.+): ([\d.]+) % are wrong", done.stdout)}
+        said = self.said_by(FILTERS_EXAMPLE, [file], FOLDER)
+        wrong = {name: float(share) for name, share in re.findall(r"(.+): ([\d.]+) % are wrong", said)}
         print(f"wrong: got {wrong}, expected a third of any other at most by exact, acne without a bias")
         self.assertEqual(len(wrong), 8)
         exact, acne = wrong.pop("exact"), wrong.pop("bias of the user's, none")
